@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// One rank's box of populations, and the in-place streaming that keeps a single copy of them.
+//
+// Shapes: the block owns nodes 0 <= x < n[0], ... and has one layer of ghost nodes around them (in
+// two dimensions none along z). Node (x, y, z) of the block is node (x + lo[0], ...) of the whole
+// lattice. index() is linear, x fastest; populations are stored one array per direction.
+//
+// Values are deviations from rest, f_i - w_i (lattice units): less round-off at small velocities,
+// and fluid at rest is zero everywhere.
+//
+// In-place streaming, AA pattern (Bailey et al. 2009): N_t(i, n), the value that node n pulls along
+// direction i at step t, lives in
+//     array i      at n          when t is even,
+//     array opp(i) at n - e_i    when t is odd.
+// A node reads its Q values, collides, and writes f*_i where it read N_t(opp(i)): streaming is done.
+// slots(t)[i][n] is N_t(i, n); nothing else in the solver knows the parity.
+
+#ifndef LBM_BLOCK_H
+#define LBM_BLOCK_H
+
+#include "lbm_lattice.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace lbm {
+
+using Index = std::int64_t;
+using Int3 = std::array<int, 3>;
+using Vec3 = std::array<double, 3>;
+
+// Where nodes lie in memory; shared by populations and by maps of the same box
+struct Layout {
+  Int3 lo, n;            // first owned node of the whole lattice, owned nodes along x, y, z
+  Int3 ghost;            // layers of ghost nodes: 1, along z 0 in two dimensions
+  Index stride_y, stride_z, origin, size;
+
+  Layout() = default;
+  Layout(const Int3 &lo, const Int3 &n, int dimension);
+
+  Index index(int x, int y, int z) const { return origin + x + y * stride_y + z * stride_z; }
+  Index offset(const int (&e)[3]) const { return e[0] + e[1] * stride_y + e[2] * stride_z; }
+  Int3 node(Index i) const;    // inverse of index()
+  bool owned(int x, int y, int z) const
+  {
+    return x >= 0 && x < n[0] && y >= 0 && y < n[1] && z >= 0 && z < n[2];
+  }
+  Index nodes() const { return Index(n[0]) * n[1] * n[2]; }
+};
+
+template <class L> using Slots = std::array<double *, L::Q>;
+
+// aligned to memory pages, given back by free()
+struct Freed {
+  void operator()(void *p) const;
+};
+std::unique_ptr<double[], Freed> page_aligned(std::size_t n);
+
+template <class L> class Block {
+ public:
+  explicit Block(const Layout &layout);
+
+  const Layout &layout() const { return at; }
+  std::int64_t step() const { return t; }
+  void advance() { t++; }
+  void set_step(std::int64_t step) { t = step; }
+
+  // pointers p with p[i][index] = N_s(i, index) at step s
+  Slots<L> slots(std::int64_t s) const
+  {
+    Slots<L> p;
+    for (int i = 0; i < L::Q; i++)
+      p[i] = (s & 1) ? array(opposite<L>(i)) - at.offset(L::e[i]) : array(i);
+    return p;
+  }
+  Slots<L> slots() const { return slots(t); }
+
+  double *array(int i) const { return populations.get() + i * pitch; }
+  double bytes() const { return sizeof(double) * double(L::Q) * double(pitch); }
+
+ private:
+  Layout at;
+  Index pitch;    // distance between the arrays of two directions
+  std::int64_t t = 0;
+  std::unique_ptr<double[], Freed> populations;
+};
+
+}    // namespace lbm
+#endif

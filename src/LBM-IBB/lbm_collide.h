@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Collision rules and forces, as policies of the sweep. Lattice units, deviations from rest.
+//
+// A collision rule is called with the Q populations of one pack of nodes and turns them into the
+// post-collision ones; it returns the density excess. To add one: write a struct like Trt.
+
+#ifndef LBM_COLLIDE_H
+#define LBM_COLLIDE_H
+
+#include "lbm_lattice.h"
+#include "lbm_simd.h"
+
+#include <array>
+
+namespace lbm {
+
+// no force on the fluid: costs nothing
+struct NoForce {
+  static constexpr bool present = false;
+};
+
+// the same force density everywhere: a body acceleration or a uniform pressure gradient
+struct UniformForce {
+  static constexpr bool present = true;
+  std::array<double, 3> F;
+};
+
+// e.v summed over the nonzero components of e only, known at compile time
+template <class L, int I, class V> LBM_INLINE inline V along(const V (&v)[3])
+{
+  constexpr const int(&e)[3] = L::e[I];
+  constexpr int first = e[0] ? 0 : (e[1] ? 1 : 2);
+  V s = e[first] > 0 ? v[first] : -v[first];
+  unroll<3>([&](auto d) LBM_INLINE {
+    if constexpr (d > first && e[d] > 0) s = s + v[d];
+    if constexpr (d > first && e[d] < 0) s = s - v[d];
+  });
+  return s;
+}
+
+// Two-relaxation-time rule (Ginzburg, Verhaeghe & d'Humieres 2008) with Guo's forcing (2002),
+// split into its even and odd parts. BGK (eq. 9) is the same with both rates equal.
+template <class L> struct Trt {
+  double even, odd;    // relaxation rates 1/tau+ and 1/tau-
+
+  static Trt bgk(double tau) { return {1.0 / tau, 1.0 / tau}; }
+  static Trt trt(double tau, double magic) { return {1.0 / tau, 1.0 / (0.5 + magic / (tau - 0.5))}; }
+
+  template <class V, class Force>
+  LBM_INLINE inline V operator()(V (&f)[L::Q], const Force &force) const
+  {
+    V drho = f[0], u[3] = {V{}, V{}, V{}}, j[3], usq = V{}, uF = V{};
+    unroll<L::P>([&](auto p) LBM_INLINE {
+      constexpr int i = p + 1, o = i + L::P;
+      const V odd_part = f[i] - f[o];
+      drho = drho + (f[i] + f[o]);
+      unroll<3>([&](auto d) LBM_INLINE {
+        if constexpr (L::e[i][d] > 0) u[d] = u[d] + odd_part;
+        if constexpr (L::e[i][d] < 0) u[d] = u[d] - odd_part;
+      });
+    });
+    const V rho = drho + 1.0;
+    const V per_rho = 1.0 / rho;
+    unroll<3>([&](auto d) LBM_INLINE {
+      if constexpr (d < L::D) {
+        if constexpr (Force::present) u[d] = u[d] + 0.5 * force.F[d];
+        j[d] = u[d];
+        u[d] = u[d] * per_rho;
+        usq = usq + j[d] * u[d];
+        if constexpr (Force::present) uF = uF + force.F[d] * u[d];
+      }
+    });
+    const double Fe = 1.0 - 0.5 * even, Fo = 1.0 - 0.5 * odd;
+
+    // part of the even equilibrium that all directions share, per weight
+    const V base = drho - 1.5 * usq;
+    V rest = even * (L::w[0] * base - f[0]);
+    if constexpr (Force::present) rest = rest - (Fe * L::w[0] * 3.0) * uF;
+    f[0] = f[0] + rest;
+
+    unroll<L::P>([&](auto p) LBM_INLINE {
+      constexpr int i = p + 1, o = i + L::P;
+      const V ej = along<L, i>(j), eu = along<L, i>(u);
+      const V even_eq = L::w[i] * (base + 4.5 * (ej * eu));
+      const V odd_eq = (3.0 * L::w[i]) * ej;
+      V de = even * (even_eq - 0.5 * (f[i] + f[o]));
+      V dod = odd * (odd_eq - 0.5 * (f[i] - f[o]));
+      if constexpr (Force::present) {
+        const double eF = L::e[i][0] * force.F[0] + L::e[i][1] * force.F[1] + L::e[i][2] * force.F[2];
+        de = de + (Fe * L::w[i]) * (9.0 * eF * eu - 3.0 * uF);
+        dod = dod + Fo * L::w[i] * 3.0 * eF;
+      }
+      f[i] = f[i] + (de + dod);
+      f[o] = f[o] + (de - dod);
+    });
+    return drho;
+  }
+};
+
+}    // namespace lbm
+#endif

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-2.0-only
+
+#include "lbm_exchange.h"
+
+#include "lbm_bounce_back.h"
+
+namespace lbm {
+namespace {
+
+  // what one direction of one sphere adds up, in packs
+  template <class V> struct Sums {
+    V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}};
+  };
+
+  double total(const double &v)
+  {
+    return v;
+  }
+  template <class V> double total(const V &v)
+  {
+    double s = 0.0;
+    for (unsigned k = 0; k < sizeof(V) / sizeof(double); k++) s += v[k];
+    return s;
+  }
+
+  template <class V> void add(const Sums<V> &sums, Load &load)
+  {
+    for (int d = 0; d < 3; d++) {
+      load.force[d] += total(sums.force[d]);
+      load.torque[d] += total(sums.torque[d]);
+    }
+  }
+
+  // velocity of a moving surface and what it does to a link
+  template <class V> struct Wall {
+    V u[3], eu, usq;
+    template <class T>
+    LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const T (&arm)[3])
+    {
+      for (int d = 0; d < 3; d++) {
+        const int a = (d + 1) % 3, b = (d + 2) % 3;
+        u[d] = s.velocity[d] + (s.spin[a] * arm[b] - s.spin[b] * arm[a]);
+      }
+      eu = double(e[0]) * u[0] + double(e[1]) * u[1] + double(e[2]) * u[2];
+      usq = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    }
+  };
+
+  // momentum of a link given to its sphere; arm = x_w - c
+  template <bool moving, class V>
+  LBM_INLINE inline void exchange(Sums<V> &sums, const int (&e)[3], double w, const V &out,
+                                  const V &back, const V (&arm)[3], const Wall<V> *wall)
+  {
+    V F[3];
+    if constexpr (moving) {
+      const V g = out + back - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
+      const V h = out - back - 6.0 * w * wall->eu;
+      for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall->u[d] * h;
+    } else {
+      const V g = out + back;
+      for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g;
+    }
+    for (int d = 0; d < 3; d++) {
+      const int a = (d + 1) % 3, b = (d + 2) % 3;
+      sums.force[d] = sums.force[d] + F[d];
+      sums.torque[d] = sums.torque[d] + (arm[a] * F[b] - arm[b] * F[a]);
+    }
+  }
+
+  // the slots that a link along i uses, see lbm_block.h: each is one address per node
+  template <class L> struct LinkSlots {
+    const double *r1, *r2, *r3;
+    double *w;
+    LinkSlots(const Layout &at, const Slots<L> &f, int i)
+    {
+      const int o = opposite<L>(i);
+      r1 = f[i] + at.offset(L::e[i]);
+      r2 = f[i];
+      r3 = f[o] - at.offset(L::e[i]);
+      w = f[o];
+    }
+  };
+
+  template <class L, class Rule, bool moving, int W>
+  LBM_INLINE inline void bounce_back_pack(const LinkSlots<L> &slot, const Sphere &sphere,
+                                          const Vec3 &offset, const int (&e)[3], double weight,
+                                          const Links &links, std::size_t k, const float *drho,
+                                          Sums<Pack<W>> &sums)
+  {
+    using V = Pack<W>;
+    const uint32_t *n = &links.node[k];
+    const V q = load<V>(&links.q[k]);
+    V arm[3];    // x_w - c
+    for (int d = 0; d < 3; d++)
+      arm[d] = convert<V>(load<PackShort<W>>(&links.arm[d][k])) + offset[d] + double(e[d]) * q;
+    const Coefficients<V> c = Rule::template at<V>(q);
+    const V out = gather<W>(slot.r1, n);
+    V back = c.c1 * out;
+    if constexpr (Rule::interpolated)
+      back = back + c.c2 * gather<W>(slot.r2, n) + c.c3 * gather<W>(slot.r3, n);
+    if constexpr (moving) {
+      const Wall<V> wall(sphere, e, arm);
+      const V rho = 1.0 + convert<V>(gather<W>(drho, n));
+      back = back - c.c4 * (3.0 * weight) * rho * wall.eu;
+      exchange<moving>(sums, e, weight, out, back, arm, &wall);
+    } else {
+      exchange<moving>(sums, e, weight, out, back, arm, static_cast<Wall<V> *>(nullptr));
+    }
+    scatter<W>(slot.w, n, back);
+  }
+
+  // Two links of one node that need each other's result: with f_o and f_i unknown,
+  //     f_o = A + c2 f_i,  f_i = B + c2' f_o,  each rule's x_f' being the other's wall
+  template <class L, class Rule, bool moving>
+  void close_gap(const Layout &at, const Slots<L> &f, const Cover &cover, const Gap &gap,
+                 const float *drho, std::vector<Load> &loads)
+  {
+    const int i = gap.direction, o = opposite<L>(i);
+    const LinkSlots<L> slot(at, f, i);
+    const Index n = gap.node;
+    const double out[2] = {slot.r1[n], slot.r3[n]};
+    double q[2] = {gap.q_ahead, gap.q_behind};
+    const double room = q[0] + q[1];
+    if (room < GAP_MIN)
+      for (double &k : q) k *= GAP_MIN / room;
+
+    const Int3 x = at.node(n);
+    const int32_t owner[2] = {gap.ahead, gap.behind};
+    double known[2], c2[2], back[2], arm[2][3];
+    for (int k = 0; k < 2; k++) {
+      const int(&e)[3] = L::e[k == 0 ? i : o];
+      const Sphere &sphere = cover.spheres()[owner[k]];
+      const Vec3 centre = cover.centre(owner[k]);
+      for (int d = 0; d < 3; d++) arm[k][d] = x[d] - centre[d] + q[k] * e[d];
+      const Coefficients<double> c = Rule::at(q[k]);
+      known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
+      c2[k] = c.c2;
+      if constexpr (moving)
+        known[k] -= c.c4 * 3.0 * L::w[i] * (1.0 + drho[n]) * Wall<double>(sphere, e, arm[k]).eu;
+    }
+    const double D = 1.0 / (1.0 - c2[0] * c2[1]);
+    for (int k = 0; k < 2; k++) back[k] = (known[k] + c2[k] * known[1 - k]) * D;
+    f[o][n] = back[0];
+    f[i][n] = back[1];
+    for (int k = 0; k < 2; k++) {
+      const int(&e)[3] = L::e[k == 0 ? i : o];
+      const Wall<double> wall(cover.spheres()[owner[k]], e, arm[k]);
+      Sums<double> sums;
+      exchange<moving>(sums, e, L::w[i], out[k], back[k], arm[k], &wall);
+      add(sums, loads[owner[k]]);
+    }
+  }
+
+}    // namespace
+
+template <class L, class Rule, bool moving>
+void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
+                 const float *drho, std::vector<Load> &loads)
+{
+  constexpr int W = SIMD_WIDTH;
+  for (const LinkGroup &group : links.groups) {
+    const int i = group.direction;
+    const LinkSlots<L> slot(at, f, i);
+    const Sphere &sphere = cover.spheres()[group.sphere];
+    const Vec3 c = cover.centre(group.sphere);
+    const Int3 a = anchor(c);
+    const Vec3 offset{a[0] - c[0], a[1] - c[1], a[2] - c[2]};
+    Sums<Pack<W>> sums;
+    Sums<double> tail;
+    std::size_t k = group.begin;
+    for (; k + W <= group.end; k += W)
+      bounce_back_pack<L, Rule, moving, W>(slot, sphere, offset, L::e[i], L::w[i], links, k, drho,
+                                           sums);
+    for (; k < group.end; k++)
+      bounce_back_pack<L, Rule, moving, 1>(slot, sphere, offset, L::e[i], L::w[i], links, k, drho,
+                                           tail);
+    add(sums, loads[group.sphere]);
+    add(tail, loads[group.sphere]);
+  }
+  for (const Gap &gap : links.gaps) close_gap<L, Rule, moving>(at, f, cover, gap, drho, loads);
+}
+
+#define LBM_INSTANTIATE(L, Rule)                                                                  \
+  template void bounce_back<L, Rule, false>(const Layout &, const Slots<L> &, const Cover &,      \
+                                            const Links &, const float *, std::vector<Load> &);   \
+  template void bounce_back<L, Rule, true>(const Layout &, const Slots<L> &, const Cover &,       \
+                                           const Links &, const float *, std::vector<Load> &);
+LBM_INSTANTIATE(D3Q19, Halfway)
+LBM_INSTANTIATE(D3Q19, Bouzidi)
+LBM_INSTANTIATE(D3Q19, Cli)
+LBM_INSTANTIATE(D2Q9, Halfway)
+LBM_INSTANTIATE(D2Q9, Bouzidi)
+LBM_INSTANTIATE(D2Q9, Cli)
+#undef LBM_INSTANTIATE
+
+}    // namespace lbm

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Faces of the box: half-way walls on the face itself, pressure and velocity planes on the first
+// nodes, half a spacing inside. Written once over a face descriptor. Lattice units.
+//
+// Order in a step: sweep, halo, walls, links, open faces; each needs what the former wrote.
+
+#ifndef LBM_FACE_H
+#define LBM_FACE_H
+
+#include "lbm_cover.h"
+
+namespace lbm {
+
+enum class FaceKind { PERIODIC, WALL, PRESSURE, VELOCITY };
+
+struct Face {
+  FaceKind kind = FaceKind::PERIODIC;
+  Vec3 u{};             // of a wall (tangential), or of the fluid at a velocity face
+  double drho = 0.0;    // density excess at a pressure face, 3 p
+  bool open() const { return kind == FaceKind::PRESSURE || kind == FaceKind::VELOCITY; }
+};
+
+// [d][0] is the lower face along d, [d][1] the upper one
+using Faces = std::array<std::array<Face, 2>, 3>;
+
+// Half-way bounce-back with wall velocity (Ladd 1994): f_o(x_f) = f*_i(x_f) - 6 w_i e_i.u_w for all
+// directions i through the face; f are the slots of step t + 1.
+template <class L> void bounce_at_wall(const Layout &at, const Slots<L> &f, int d, int side, const Vec3 &u);
+
+// Zou & He 1997 in three dimensions: bounce-back of the non-equilibrium part, with the corrections
+// of Mansouri et al. 2016, appendix A (eq. A.7), closed by the density or the velocity at the face.
+// Covered nodes are left alone. force is the force density on the fluid.
+template <class L>
+void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face &face,
+               const Faces &faces, const std::array<std::array<bool, 2>, 3> &at_end,
+               const int32_t *owner, const Vec3 &force);
+
+}    // namespace lbm
+#endif

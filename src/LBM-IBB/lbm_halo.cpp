@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-only
+
+#include "lbm_halo.h"
+
+#include <algorithm>
+
+namespace lbm {
+
+template <class L> std::size_t Halo<L>::Box::nodes() const
+{
+  return std::size_t(hi[0] - lo[0] + 1) * (hi[1] - lo[1] + 1) * (hi[2] - lo[2] + 1);
+}
+
+template <class L>
+Halo<L>::Halo(const Layout &layout, Neighbours &neighbours) : at_(layout), neighbours_(neighbours)
+{
+  std::size_t most = 0;
+  for (int d = 0; d < L::D; d++)
+    most = std::max(most, for_each_crossing(d, 0, true, [](int, const Box &) {}));
+  send_.resize(most);
+  receive_.resize(most);
+}
+
+template <class L>
+typename Halo<L>::Box Halo<L>::region(int k, int d, int side, bool ghosts) const
+{
+  Box box{{0, 0, 0}, {at_.n[0] - 1, at_.n[1] - 1, at_.n[2] - 1}};
+  // directions already done: the values wanted have moved along them
+  for (int p = 0; p < d; p++) {
+    box.lo[p] += L::e[k][p];
+    box.hi[p] += L::e[k][p];
+  }
+  const int outside = side == 0 ? -1 : at_.n[d], opposite_layer = side == 0 ? at_.n[d] - 1 : 0;
+  box.lo[d] = box.hi[d] = ghosts ? outside : opposite_layer;
+  return box;
+}
+
+template <class L>
+template <class F>
+std::size_t Halo<L>::for_each_crossing(int d, int side, bool ghosts, F &&f) const
+{
+  std::size_t n = 0;
+  for (int k = 1; k < L::Q; k++)
+    if (L::e[k][d] == (side == 0 ? -1 : 1)) {
+      const Box box = region(k, d, side, ghosts);
+      f(k, box);
+      n += box.nodes();
+    }
+  return n;
+}
+
+// values that cross the face on this side of the block; forwards they come from the neighbour there
+template <class L> void Halo<L>::along(const Block<L> &block, int d, int side, bool forwards)
+{
+  auto copy = [&](double *buffer, bool ghosts, bool pack) {
+    return for_each_crossing(d, side, ghosts, [&](int k, const Box &box) {
+      double *array = block.array(k);
+      const int length = box.hi[0] - box.lo[0] + 1;
+      for (int z = box.lo[2]; z <= box.hi[2]; z++)
+        for (int y = box.lo[1]; y <= box.hi[1]; y++, buffer += length) {
+          double *row = array + at_.index(box.lo[0], y, z);
+          if (pack)
+            std::copy_n(row, length, buffer);
+          else
+            std::copy_n(buffer, length, row);
+        }
+    });
+  };
+  // forwards: boundary layer -> neighbour's ghosts on its other side; backwards: ghosts -> layer
+  const std::size_t n = copy(send_.data(), !forwards, true);
+  const int to = forwards ? 1 - side : side;
+  neighbours_.shift(d, to, send_.data(), n, receive_.data(), n);
+  if (neighbours_.exists(d, 1 - to)) copy(receive_.data(), forwards, false);
+}
+
+template <class L> void Halo<L>::exchange(const Block<L> &block)
+{
+  const bool forwards = block.step() % 2 == 0;
+  for (int p = 0; p < L::D; p++)
+    for (int side = 0; side < 2; side++) along(block, forwards ? p : L::D - 1 - p, side, forwards);
+}
+
+template <class L> double Halo<L>::bytes_per_step() const
+{
+  double n = 0.0;
+  for (int d = 0; d < L::D; d++)
+    for (int side = 0; side < 2; side++)
+      if (neighbours_.exists(d, side))
+        n += double(for_each_crossing(d, side, true, [](int, const Box &) {}));
+  return n * sizeof(double);
+}
+
+template class Halo<D3Q19>;
+template class Halo<D2Q9>;
+
+}    // namespace lbm

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Cut links: an owned fluid node x_f whose neighbour x_s = x_f + e_i is covered by a sphere.
+//
+//     x_f' = x_f - e_i        x_f ---- q ----|---- x_s        q = |x_f - x_w| / |x_f - x_s| (eq. 16)
+//
+// Links are grouped by sphere and direction, so that what a group shares is known once per group.
+// If x_f' is covered too (a gap of one node), the two links of x_f along i depend on each other:
+// such a pair is one Gap. If x_f' lies behind an open face, q is set to 1/2, where every rule
+// needs x_f alone.
+
+#ifndef LBM_LINK_H
+#define LBM_LINK_H
+
+#include "lbm_cover.h"
+
+namespace lbm {
+
+// no link is shorter: a node on a surface
+constexpr double Q_MIN = 1e-6;
+
+struct LinkGroup {
+  int32_t sphere;
+  int32_t direction;          // i, from fluid to solid
+  std::size_t begin, end;     // in the arrays of Links
+};
+
+// the pair of links of one node along i = 1..P and its opposite
+struct Gap {
+  uint32_t node;
+  int32_t direction;
+  int32_t ahead, behind;    // spheres that cover x_f + e_i and x_f - e_i
+  double q_ahead, q_behind;
+};
+
+struct Links {
+  std::vector<LinkGroup> groups;
+  std::vector<uint32_t> node;                 // x_f, index in the block
+  std::vector<double> q;
+  std::vector<int16_t> arm[3];                // x_f - anchor(sphere)
+  std::size_t size = 0;                       // entries in use of the arrays above
+  std::vector<Gap> gaps;
+  std::size_t at_open_faces = 0;
+
+  void clear();
+  double bytes() const;
+};
+
+// lattice node next to the centre c, in the coordinates of the block
+inline Int3 anchor(const Vec3 &c)
+{
+  return {int(std::lround(c[0])), int(std::lround(c[1])), int(std::lround(c[2]))};
+}
+
+// fraction q of the link from node d = x_f - c, outside, along e, where it enters the sphere
+inline double cut(const Vec3 &d, const int (&e)[3], double radius)
+{
+  const double a = e[0] * e[0] + e[1] * e[1] + e[2] * e[2], b = dot(e, d);
+  const double c = dot(d, d) - radius * radius;
+  const double q = c / (-b + std::sqrt(std::fmax(b * b - a * c, 0.0)));
+  return std::fmin(std::fmax(q, Q_MIN), 1.0);
+}
+
+// append the links of sphere s
+template <class L> void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links);
+
+}    // namespace lbm
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// What lies across the faces of a block, and how to talk to it: the only door to other ranks.
+
+#ifndef LBM_NEIGHBOURS_H
+#define LBM_NEIGHBOURS_H
+
+#include <array>
+#include <cstddef>
+
+namespace lbm {
+
+class Neighbours {
+ public:
+  virtual ~Neighbours() = default;
+
+  // is there a block (maybe this one again) below (side 0) or above (side 1) along dimension d?
+  virtual bool exists(int d, int side) const = 0;
+
+  // Send to the neighbour on this side, and receive from the one on the other side what it sends.
+  // Where there is no neighbour nothing is sent or received. All blocks of a row call it together.
+  virtual void shift(int d, int side, const double *send, std::size_t nsend, double *receive,
+                     std::size_t nreceive) = 0;
+
+  // over all blocks, in place
+  virtual void sum(double *values, int n) = 0;
+  virtual void max(double *values, int n) = 0;
+};
+
+// one block that is its own neighbour in periodic directions
+class Alone : public Neighbours {
+ public:
+  explicit Alone(const std::array<bool, 3> &periodic) : periodic_(periodic) {}
+  bool exists(int d, int) const override { return periodic_[d]; }
+  void shift(int d, int side, const double *send, std::size_t nsend, double *receive,
+             std::size_t nreceive) override;
+  void sum(double *, int) override {}
+  void max(double *, int) override {}
+
+ private:
+  std::array<bool, 3> periodic_;
+};
+
+}    // namespace lbm
+#endif

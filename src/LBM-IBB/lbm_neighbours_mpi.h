@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Blocks arranged as a brick of MPI ranks.
+
+#ifndef LBM_NEIGHBOURS_MPI_H
+#define LBM_NEIGHBOURS_MPI_H
+
+#include "lbm_neighbours.h"
+
+#ifndef OMPI_SKIP_MPICXX
+#define OMPI_SKIP_MPICXX 1    // the deprecated C++ bindings only bring warnings
+#endif
+#include <mpi.h>
+
+namespace lbm {
+
+class MpiNeighbours : public Neighbours {
+ public:
+  // rank[d][side] is the neighbouring rank, MPI_PROC_NULL where the domain ends
+  MpiNeighbours(MPI_Comm comm, const std::array<std::array<int, 2>, 3> &rank);
+  bool exists(int d, int side) const override { return rank_[d][side] != MPI_PROC_NULL; }
+  void shift(int d, int side, const double *send, std::size_t nsend, double *receive,
+             std::size_t nreceive) override;
+  void sum(double *values, int n) override;
+  void max(double *values, int n) override;
+
+ private:
+  MPI_Comm comm_;
+  int me_;
+  std::array<std::array<int, 2>, 3> rank_;
+};
+
+}    // namespace lbm
+#endif

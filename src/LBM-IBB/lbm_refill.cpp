@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-2.0-only
+
+#include "lbm_refill.h"
+
+#include <algorithm>
+
+namespace lbm {
+namespace {
+
+  // u_s at the node, just before it leaves the solid
+  Vec3 solid_velocity(const Cover &before, const Uncovered &node)
+  {
+    const Vec3 c = before.centre(node.sphere);
+    const Vec3 arm{node.p[0] - c[0], node.p[1] - c[1], node.p[2] - c[2]};
+    return before.spheres()[node.sphere].velocity_at(arm);
+  }
+
+  // populations before collision carry the bare momentum rho u - F/2
+  template <class L> double bare_equilibrium(int i, const Moments &m, const Vec3 &force)
+  {
+    return equilibrium<L>(i, m) - 1.5 * L::w[i] * dot(L::e[i], force);
+  }
+
+  // Moments next to uncovered nodes, those beyond a face of the block got from the neighbour there
+  template <class L> class Around {
+   public:
+    struct Sample {
+      bool known = false;
+      Moments m{};
+    };
+
+    Around(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+           const Vec3 &force, Neighbours &neighbours) :
+        at(at), f(f), before(before), now(now), force(force), neighbours(neighbours)
+    {
+    }
+
+    // samples[2 d + side] of each node: its neighbours along the axes
+    std::vector<std::array<Sample, 6>> collect(const std::vector<Uncovered> &nodes)
+    {
+      std::vector<std::array<Sample, 6>> samples(nodes.size());
+      for (int d = 0; d < L::D; d++)
+        for (int side = 0; side < 2; side++) {
+          std::vector<double> wanted;
+          std::vector<Sample *> answers;
+          for (std::size_t k = 0; k < nodes.size(); k++) {
+            Int3 p = nodes[k].p;
+            p[d] += side == 0 ? -1 : 1;
+            Sample &s = samples[k][2 * d + side];
+            s.known = was_and_is_fluid(p);
+            if (!s.known) continue;
+            if (at.owned(p[0], p[1], p[2])) {
+              s.m = moments<L>(f, at.index(p[0], p[1], p[2]), force);
+            } else {
+              const int a = (d + 1) % 3, b = (d + 2) % 3;
+              wanted.push_back(p[a] + double(p[b]) * at.n[a]);
+              answers.push_back(&s);
+            }
+          }
+          ask(d, side, wanted, answers);
+        }
+      return samples;
+    }
+
+   private:
+    const Layout &at;
+    const Slots<L> &f;
+    const Cover &before, &now;
+    const Vec3 force;
+    Neighbours &neighbours;
+
+    bool was_and_is_fluid(const Int3 &p) const
+    {
+      const Index n = at.index(p[0], p[1], p[2]);
+      return now.inside(p[0], p[1], p[2]) && before.owner()[n] < 0 && now.owner()[n] < 0;
+    }
+
+    // The neighbour on this side looks up the nodes of its boundary layer that are asked for. Blocks
+    // that meet in a face have the same extent along the other directions: a node is named by them.
+    void ask(int d, int side, const std::vector<double> &wanted,
+             const std::vector<Sample *> &answers)
+    {
+      const double nwanted = double(wanted.size());
+      double nasked = 0.0;
+      neighbours.shift(d, side, &nwanted, 1, &nasked, 1);
+      std::vector<double> asked(std::size_t(nasked), 0.0);
+      neighbours.shift(d, side, wanted.data(), wanted.size(), asked.data(), asked.size());
+
+      std::vector<double> reply, answer(4 * wanted.size());
+      const int a = (d + 1) % 3, b = (d + 2) % 3;
+      for (double name : asked) {
+        Int3 p;
+        p[a] = int(Index(name) % at.n[a]);
+        p[b] = int(Index(name) / at.n[a]);
+        p[d] = side == 0 ? at.n[d] - 1 : 0;
+        const Moments m = moments<L>(f, at.index(p[0], p[1], p[2]), force);
+        reply.insert(reply.end(), {m.drho, m.u[0], m.u[1], m.u[2]});
+      }
+      neighbours.shift(d, 1 - side, reply.data(), reply.size(), answer.data(), answer.size());
+      for (std::size_t k = 0; k < answers.size(); k++) {
+        const double *m = &answer[4 * k];
+        answers[k]->m = {m[0], {m[1], m[2], m[3]}};
+      }
+    }
+  };
+
+  // density of the populations that arrive from fluid, whose equilibrium velocity is u
+  template <class L>
+  bool arriving_density(const Layout &at, const Slots<L> &f, const Cover &before,
+                        const Uncovered &node, const Vec3 &u, const Vec3 &force, double &drho)
+  {
+    double sum = 0.0, weight = 0.0;
+    for (int i = 1; i < L::Q; i++) {
+      const int(&e)[3] = L::e[i];
+      const Int3 p{node.p[0] - e[0], node.p[1] - e[1], node.p[2] - e[2]};
+      if (!before.inside(p[0], p[1], p[2]) || before.owner()[node.n - at.offset(e)] >= 0) continue;
+      sum += f[i][node.n] - bare_equilibrium<L>(i, {0.0, u}, force);
+      weight += L::w[i];
+    }
+    if (weight > 0.0) drho = sum / weight;
+    return weight > 0.0;
+  }
+
+}    // namespace
+
+std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now)
+{
+  std::vector<Uncovered> list;
+  for (std::size_t s = 0; s < before.spheres().size(); s++) {
+    const Rows &r = before.rows(s);
+    for (int z = std::max(r.z0, 0); z <= std::min(r.z1, at.n[2] - 1); z++)
+      for (int y = std::max(r.y0, 0); y <= std::min(r.y1, at.n[1] - 1); y++) {
+        const Run run = before.run(r, y, z);
+        const int xa = std::max(run.xa, 0), xb = std::min(run.xb, at.n[0] - 1);
+        const Index row = at.index(0, y, z);
+        for (int x = xa; x <= xb; x++)
+          if (now.owner()[row + x] < 0 && before.owner()[row + x] == int32_t(s))
+            list.push_back({{x, y, z}, row + x, int32_t(s)});
+      }
+  }
+  return list;
+}
+
+template <class L>
+void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+                 const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
+                 Neighbours &neighbours, RefillCount &count)
+{
+  const auto samples = Around<L>(at, f, before, now, force, neighbours).collect(nodes);
+  for (std::size_t k = 0; k < nodes.size(); k++) {
+    Moments m{0.0, solid_velocity(before, nodes[k])};
+    double gradient[3][3] = {};    // [a][b] = d u_a / d x_b
+    int known = 0;
+    for (int b = 0; b < L::D; b++) {
+      const auto &lo = samples[k][2 * b], &hi = samples[k][2 * b + 1];
+      for (const auto *s : {&lo, &hi})
+        if (s->known) {
+          m.drho += s->m.drho;
+          known++;
+        }
+      for (int a = 0; a < L::D; a++) {
+        const double below = lo.known ? lo.m.u[a] : m.u[a], above = hi.known ? hi.m.u[a] : m.u[a];
+        gradient[a][b] = (above - below) / (lo.known && hi.known ? 2.0 : 1.0);
+      }
+    }
+    if (known)
+      m.drho /= known;
+    else if (arriving_density<L>(at, f, before, nodes[k], m.u, force, m.drho))
+      count.equilibrium++;
+    else
+      count.rest++;
+    if (known) count.grad++;
+
+    // f = f_eq + 4.5 w rho P:(ee - I/3),  P = -(tau/3) (grad u + grad u^T)
+    double P[3][3], trace = 0.0;
+    for (int a = 0; a < 3; a++)
+      for (int b = 0; b < 3; b++) P[a][b] = -tau / 3.0 * (gradient[a][b] + gradient[b][a]);
+    for (int a = 0; a < 3; a++) trace += P[a][a];
+    for (int i = 0; i < L::Q; i++) {
+      double Pee = 0.0;
+      for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) Pee += L::e[i][a] * L::e[i][b] * P[a][b];
+      f[i][nodes[k].n] = bare_equilibrium<L>(i, m, force) +
+          4.5 * L::w[i] * (1.0 + m.drho) * (Pee - trace / 3.0);
+    }
+  }
+}
+
+template <class L>
+void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
+                        double drho_mean, const Vec3 &force, RefillCount &count)
+{
+  for (const Uncovered &node : nodes) {
+    const Moments m{drho_mean, solid_velocity(before, node)};
+    for (int i = 0; i < L::Q; i++) f[i][node.n] = bare_equilibrium<L>(i, m, force);
+    count.equilibrium++;
+  }
+}
+
+#define LBM_INSTANTIATE(L)                                                                         \
+  template void refill_grad<L>(const Layout &, const Slots<L> &, const Cover &, const Cover &,     \
+                               const std::vector<Uncovered> &, double, const Vec3 &, Neighbours &, \
+                               RefillCount &);                                                     \
+  template void refill_equilibrium<L>(const Slots<L> &, const Cover &,                             \
+                                      const std::vector<Uncovered> &, double, const Vec3 &,        \
+                                      RefillCount &);
+LBM_INSTANTIATE(D3Q19)
+LBM_INSTANTIATE(D2Q9)
+#undef LBM_INSTANTIATE
+
+}    // namespace lbm

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Populations of nodes that a moving sphere has just uncovered (Mansouri et al. 2016, section 3.4).
+//
+// Such a node gets the velocity of the solid it belonged to, and
+//   grad         local mean density and Grad's approximation (Chikatamarla, Ansumali & Karlin 2006)
+//                with the velocity gradient by differences to the neighbours along the axes;
+//                no such neighbour: equilibrium with the density of the populations that arrive;
+//                none arrives from fluid: equilibrium with rest density
+//   equilibrium  the rule of the paper: equilibrium with the mean density of the whole system
+
+#ifndef LBM_REFILL_H
+#define LBM_REFILL_H
+
+#include "lbm_cover.h"
+#include "lbm_neighbours.h"
+
+namespace lbm {
+
+enum class RefillRule { GRAD, EQUILIBRIUM };
+
+// how many nodes were filled, and by which rule they had to be
+struct RefillCount {
+  std::int64_t grad = 0, equilibrium = 0, rest = 0;
+};
+
+// owned nodes covered before and not now
+struct Uncovered {
+  Int3 p;
+  Index n;
+  int32_t sphere;    // in before.spheres()
+};
+std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now);
+
+// Fill them, between the link pass of step t - 1 and the sweep of step t; f are the slots of step t.
+// Collective over all blocks.
+template <class L>
+void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+                 const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
+                 Neighbours &neighbours, RefillCount &count);
+
+template <class L>
+void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
+                        double drho_mean, const Vec3 &force, RefillCount &count);
+
+}    // namespace lbm
+#endif

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The one place that knows how wide the machine is: packs of numbers as compiler vector types
+// (GCC and Clang), and loops unrolled at compile time.
+//
+// A Pack<W> is loaded from and stored to any address; Pack<1> is a plain double, so the same kernel
+// serves for whole packs and for the tail of a row.
+
+#ifndef LBM_SIMD_H
+#define LBM_SIMD_H
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace lbm {
+
+#if defined(__AVX512F__)
+constexpr int SIMD_WIDTH = 8;
+#elif defined(__AVX__)
+constexpr int SIMD_WIDTH = 4;
+#else
+constexpr int SIMD_WIDTH = 2;
+#endif
+
+#define LBM_INLINE __attribute__((always_inline))
+
+namespace detail {
+  template <class T, int W> struct Vector {
+    typedef T type __attribute__((vector_size(W * sizeof(T))));
+  };
+  template <class T> struct Vector<T, 1> {
+    using type = T;
+  };
+  template <class F, int... I>
+  LBM_INLINE inline void unroll(F &&f, std::integer_sequence<int, I...>)
+  {
+    (f(std::integral_constant<int, I>{}), ...);
+  }
+}    // namespace detail
+
+template <int W> using Pack = typename detail::Vector<double, W>::type;
+template <int W> using PackInt = typename detail::Vector<int32_t, W>::type;
+template <int W> using PackFloat = typename detail::Vector<float, W>::type;
+template <int W> using PackShort = typename detail::Vector<int16_t, W>::type;
+template <int W> using PackMask = typename detail::Vector<int64_t, W>::type;
+
+// f(0), f(1), ... f(N-1), each with its index known at compile time
+template <int N, class F> LBM_INLINE inline void unroll(F &&f)
+{
+  detail::unroll(f, std::make_integer_sequence<int, N>{});
+}
+
+template <class V, class T> LBM_INLINE inline V load(const T *p)
+{
+  V v;
+  std::memcpy(&v, p, sizeof(V));
+  return v;
+}
+
+template <class V, class T> LBM_INLINE inline void store(T *p, const V &v)
+{
+  std::memcpy(p, &v, sizeof(V));
+}
+
+// v where owner < 0 (fluid), else 0
+template <int W> LBM_INLINE inline Pack<W> where_fluid(const PackInt<W> &owner, const Pack<W> &v)
+{
+  if constexpr (W == 1) {
+    return owner < 0 ? v : 0.0;
+  } else {
+    const PackMask<W> fluid = __builtin_convertvector(owner < 0, PackMask<W>);
+    return fluid ? v : Pack<W>{};
+  }
+}
+
+// number by number, to a pack of another type
+template <class To, class From> LBM_INLINE inline To convert(const From &v)
+{
+  if constexpr (std::is_arithmetic_v<From>)
+    return static_cast<To>(v);
+  else
+    return __builtin_convertvector(v, To);
+}
+
+template <int W, class T> LBM_INLINE inline auto gather(const T *p, const uint32_t *n)
+{
+  if constexpr (W == 1) {
+    return p[*n];
+  } else {
+    typename detail::Vector<T, W>::type v{};
+    for (int k = 0; k < W; k++) v[k] = p[n[k]];
+    return v;
+  }
+}
+
+template <int W> LBM_INLINE inline void scatter(double *p, const uint32_t *n, const Pack<W> &v)
+{
+  if constexpr (W == 1)
+    p[*n] = v;
+  else
+    for (int k = 0; k < W; k++) p[n[k]] = v[k];
+}
+
+}    // namespace lbm
+#endif

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-2.0-only
+
+#include "lbm_solver.h"
+
+#include "lbm_bounce_back.h"
+#include "lbm_exchange.h"
+#include "lbm_halo.h"
+#include "lbm_sweep.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace lbm {
+namespace {
+
+  template <class L> class FluidOn : public Fluid {
+   public:
+    FluidOn(const Settings &settings, const Layout &at, const Int3 &global, Neighbours &neighbours) :
+        settings(settings), at(at), block(at), halo(at, neighbours), neighbours(neighbours),
+        collide(settings.bgk ? Trt<L>::bgk(settings.tau)
+                             : Trt<L>::trt(settings.tau, settings.magic))
+    {
+      for (int d = 0; d < 3; d++) {
+        at_end[d][0] = at.lo[d] == 0 && settings.faces[d][0].kind != FaceKind::PERIODIC;
+        at_end[d][1] =
+            at.lo[d] + at.n[d] == global[d] && settings.faces[d][1].kind != FaceKind::PERIODIC;
+      }
+    }
+
+    void follow(const std::vector<Sphere> &spheres) override
+    {
+      if (!now && spheres.empty()) {
+        refill_uncovered();
+        return;
+      }
+      if (!now) {
+        now = std::make_unique<Cover>(at, L::D, sides());
+        before = std::make_unique<Cover>(at, L::D, sides());
+      }
+      moved = !now->same_places(spheres);
+      if (moved) {
+        std::swap(before, now);
+        now->place(spheres);
+        kept_links = false;
+      } else {
+        now->set_velocities(spheres);
+      }
+      refill_uncovered();
+      moving = std::any_of(spheres.begin(), spheres.end(), [](const Sphere &s) {
+        return s.velocity != Vec3{} || s.spin != Vec3{};
+      });
+    }
+
+    void advance(std::vector<Load> &loads) override
+    {
+      collide_and_stream();
+      halo.exchange(block);
+      block.advance();
+      walls();
+      links_bounce_back(loads);
+      open_faces();
+    }
+
+    void set_force(const Vec3 &f) override { force = f; }
+    void set_face(int d, int side, const Vec3 &u, double drho) override
+    {
+      settings.faces[d][side].u = u;
+      settings.faces[d][side].drho = drho;
+    }
+    void fill(double drho) override
+    {
+      for (int z = 0; z < at.n[2]; z++)
+        for (int y = 0; y < at.n[1]; y++)
+          for (int x = 0; x < at.n[0]; x++) set_equilibrium(x, y, z, {drho, {}});
+    }
+
+    Moments moments(int x, int y, int z) const override
+    {
+      return lbm::moments<L>(block.slots(), at.index(x, y, z), force);
+    }
+    void set_equilibrium(int x, int y, int z, const Moments &m) override
+    {
+      const Slots<L> f = block.slots();
+      for (int i = 0; i < L::Q; i++)
+        f[i][at.index(x, y, z)] = equilibrium<L>(i, m) - 1.5 * L::w[i] * dot(L::e[i], force);
+    }
+    bool solid(int x, int y, int z) const override
+    {
+      return now && now->owner()[at.index(x, y, z)] >= 0;
+    }
+    Survey survey() const override { return lbm::survey<L>(at, block.slots(), owner(), force); }
+
+    const Layout &layout() const override { return at; }
+    double links() const override { return double(nlinks); }
+    double gaps() const override { return double(ngaps); }
+    const RefillCount &refilled() const override { return refill_count; }
+    double bytes() const override
+    {
+      return block.bytes() + (now ? now->bytes() + before->bytes() : 0.0) +
+          double(drho.capacity() * sizeof(float)) + list.bytes();
+    }
+
+   private:
+    Settings settings;
+    Layout at;
+    Block<L> block;
+    Halo<L> halo;
+    Neighbours &neighbours;
+    Trt<L> collide;
+    Vec3 force{};
+    std::array<std::array<bool, 2>, 3> at_end;    // does the block reach this face of the box?
+
+    // spheres: nothing of this exists before the first one comes
+    std::unique_ptr<Cover> now, before;
+    bool moved = false, moving = false, kept_links = false;
+    Links list;
+    std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
+    std::size_t nlinks = 0, ngaps = 0;
+    RefillCount refill_count;
+
+    const int32_t *owner() const { return now ? now->owner() : nullptr; }
+    bool spheres_here() const { return now && !now->spheres().empty(); }
+
+    Cover::Sides sides() const
+    {
+      Cover::Sides s;
+      for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+          s[d][side] = !at_end[d][side]           ? Cover::NEIGHBOUR
+              : settings.faces[d][side].open() ? Cover::OPEN
+                                               : Cover::WALL;
+      return s;
+    }
+
+    template <class Force> void sweep_with(const Force &f)
+    {
+      if (!spheres_here()) {
+        sweep(block, collide, f, NoSolids{});
+      } else if (!moving) {
+        sweep(block, collide, f, Solids{owner()});
+      } else {
+        drho.resize(at.size);
+        sweep(block, collide, f, MovingSolids{owner(), drho.data()});
+      }
+    }
+
+    void collide_and_stream()
+    {
+      if (force == Vec3{})
+        sweep_with(NoForce{});
+      else
+        sweep_with(UniformForce{force});
+    }
+
+    void walls()
+    {
+      for (int d = 0; d < L::D; d++)
+        for (int side = 0; side < 2; side++)
+          if (at_end[d][side] && settings.faces[d][side].kind == FaceKind::WALL)
+            bounce_at_wall<L>(at, block.slots(), d, side, settings.faces[d][side].u);
+    }
+
+    void open_faces()
+    {
+      for (int d = 0; d < L::D; d++)
+        for (int side = 0; side < 2; side++)
+          if (at_end[d][side] && settings.faces[d][side].open())
+            open_face<L>(at, block.slots(), d, side, settings.faces[d][side], settings.faces, at_end,
+                         owner(), force);
+    }
+
+    // links of spheres that stay are found once and kept; of spheres that move, found and used one
+    // sphere at a time
+    void links_bounce_back(std::vector<Load> &loads)
+    {
+      loads.assign(now ? now->spheres().size() : 0, Load{});
+      if (!spheres_here()) {
+        nlinks = ngaps = 0;
+        return;
+      }
+      if (moved) {
+        nlinks = ngaps = 0;
+        for (std::size_t s = 0; s < loads.size(); s++) {
+          list.clear();
+          find_links<L>(at, *now, s, list);
+          bounce_back_all(loads);
+          count_links();
+        }
+      } else {
+        if (!kept_links) keep_links();
+        bounce_back_all(loads);
+      }
+    }
+
+    void keep_links()
+    {
+      list.clear();
+      for (std::size_t s = 0; s < now->spheres().size(); s++) find_links<L>(at, *now, s, list);
+      kept_links = true;
+      nlinks = ngaps = 0;
+      count_links();
+    }
+
+    void count_links()
+    {
+      nlinks += list.size + 2 * list.gaps.size();
+      ngaps += list.gaps.size();
+    }
+
+    void bounce_back_all(std::vector<Load> &loads)
+    {
+      switch (settings.link) {
+        case LinkRule::HALFWAY: return bounce_back_with<Halfway>(loads);
+        case LinkRule::BOUZIDI: return bounce_back_with<Bouzidi>(loads);
+        case LinkRule::CLI: return bounce_back_with<Cli>(loads);
+      }
+    }
+
+    template <class Rule> void bounce_back_with(std::vector<Load> &loads)
+    {
+      if (moving)
+        bounce_back<L, Rule, true>(at, block.slots(), *now, list, drho.data(), loads);
+      else
+        bounce_back<L, Rule, false>(at, block.slots(), *now, list, nullptr, loads);
+    }
+
+    void refill_uncovered()
+    {
+      std::vector<Uncovered> nodes;
+      if (moved) nodes = find_uncovered(at, *before, *now);
+      double any = nodes.empty() ? 0.0 : 1.0;
+      neighbours.max(&any, 1);
+      if (any == 0.0) return;
+      if (!now) {    // this rank has never seen a sphere, and answers the others' questions only
+        now = std::make_unique<Cover>(at, L::D, sides());
+        before = std::make_unique<Cover>(at, L::D, sides());
+      }
+      if (settings.refill == RefillRule::GRAD)
+        refill_grad<L>(at, block.slots(), *before, *now, nodes, settings.tau, force, neighbours,
+                       refill_count);
+      else
+        refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(nodes), force,
+                              refill_count);
+    }
+
+    // of the whole system; nodes still to be filled do not count
+    double mean_density_excess(const std::vector<Uncovered> &nodes)
+    {
+      Survey s = survey();
+      double sums[] = {s.mass - s.fluid_nodes, s.fluid_nodes - double(nodes.size())};
+      for (const Uncovered &node : nodes)
+        sums[0] -= lbm::moments<L>(block.slots(), node.n, force).drho;
+      neighbours.sum(sums, 2);
+      return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
+    }
+  };
+
+}    // namespace
+
+std::unique_ptr<Fluid> Fluid::create(const Settings &settings, const Int3 &lo, const Int3 &n,
+                                     const Int3 &global, Neighbours &neighbours)
+{
+  if (!(settings.tau > 0.5)) throw std::invalid_argument("tau must be larger than 1/2");
+  for (int d = 0; d < 3; d++)
+    if (n[d] < 1) throw std::invalid_argument("a rank without lattice nodes");
+  const Layout at(lo, n, settings.dimension);
+  if (at.size > Index(std::numeric_limits<uint32_t>::max()))
+    throw std::invalid_argument("more than 2^32 lattice nodes on one rank");
+  if (settings.dimension == 2)
+    return std::make_unique<FluidOn<D2Q9>>(settings, at, global, neighbours);
+  return std::make_unique<FluidOn<D3Q19>>(settings, at, global, neighbours);
+}
+
+}    // namespace lbm

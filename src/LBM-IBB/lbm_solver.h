@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The fluid of one rank, and its step. Lattice units; knows spheres, not atoms.
+//
+// A step of the coupled system:
+//     follow(spheres)   cover and links follow the spheres, uncovered nodes are refilled
+//     advance(loads)    sweep, halo, walls, links bounce back and give momentum, open faces
+// The choice of lattice, rules and forces is made once, in create(), or per step by what is there:
+// no node pays for what its scene does not contain.
+
+#ifndef LBM_SOLVER_H
+#define LBM_SOLVER_H
+
+#include "lbm_face.h"
+#include "lbm_monitor.h"
+#include "lbm_neighbours.h"
+#include "lbm_refill.h"
+
+#include <memory>
+
+namespace lbm {
+
+enum class LinkRule { HALFWAY, BOUZIDI, CLI };
+
+struct Settings {
+  int dimension = 3;
+  double tau = 0.8;              // relaxation time of the viscosity, > 1/2
+  bool bgk = false;              // else two relaxation times
+  double magic = 3.0 / 16.0;     // Lambda = (tau+ - 1/2)(tau- - 1/2)
+  LinkRule link = LinkRule::CLI;
+  RefillRule refill = RefillRule::GRAD;
+  Faces faces;                   // of the whole box
+};
+
+class Fluid {
+ public:
+  // lo, n: the nodes of this rank; global: of the whole lattice. Throws std::bad_alloc, or
+  // std::invalid_argument if tau <= 1/2, a block is empty, or a block has more than 2^32 nodes.
+  static std::unique_ptr<Fluid> create(const Settings &settings, const Int3 &lo, const Int3 &n,
+                                       const Int3 &global, Neighbours &neighbours);
+  virtual ~Fluid() = default;
+
+  // Spheres that reach this rank's nodes or ghosts, periodic images among them. Collective.
+  virtual void follow(const std::vector<Sphere> &spheres) = 0;
+  // One step. loads[s] is the momentum that sphere s of the last follow() got through links of this
+  // rank's nodes: to be summed over ranks and images. Collective.
+  virtual void advance(std::vector<Load> &loads) = 0;
+
+  // force density on the fluid, and values at the faces, from the next step on
+  virtual void set_force(const Vec3 &force) = 0;
+  virtual void set_face(int d, int side, const Vec3 &u, double drho) = 0;
+  // fluid at rest at this density everywhere
+  virtual void fill(double drho) = 0;
+
+  // x, y, z count from the first node of this rank
+  virtual Moments moments(int x, int y, int z) const = 0;
+  virtual void set_equilibrium(int x, int y, int z, const Moments &m) = 0;
+  virtual bool solid(int x, int y, int z) const = 0;
+  virtual Survey survey() const = 0;    // of this rank, see reduce()
+
+  virtual const Layout &layout() const = 0;
+  virtual double links() const = 0;             // of this rank in the last step, gaps included
+  virtual double gaps() const = 0;              // pairs closed in a gap of one node
+  virtual const RefillCount &refilled() const = 0;
+  virtual double bytes() const = 0;             // memory held
+};
+
+}    // namespace lbm
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// What the solver knows of a grain, and what it gives back. Lattice units.
+
+#ifndef LBM_SPHERE_H
+#define LBM_SPHERE_H
+
+#include "lbm_equilibrium.h"
+
+#include <cmath>
+
+namespace lbm {
+
+// A sphere (a disc in two dimensions) or one periodic image of it. Node (i, j, k) of the whole
+// lattice sits at (i + 1/2, j + 1/2, k + 1/2): cell centres, origin at the corner of the box.
+struct Sphere {
+  std::int64_t id;    // the same for all images of a grain
+  Vec3 centre;        // snapped by snap(), so that all images cover exactly the same nodes
+  double radius;
+  Vec3 velocity;
+  Vec3 spin;          // angular velocity
+
+  Vec3 velocity_at(const Vec3 &arm) const
+  {
+    const Vec3 s = cross(spin, arm);
+    return {velocity[0] + s[0], velocity[1] + s[1], velocity[2] + s[2]};
+  }
+};
+
+// Round a coordinate to 2^-32 of a cell. Adding whole periods to it is then exact: an image of a
+// grain, on whatever rank, meets the lattice bit for bit as the grain itself does.
+inline double snap(double x)
+{
+  return std::ldexp(std::nearbyint(std::ldexp(x, 32)), -32);
+}
+
+// momentum per step given to a sphere by the fluid: force, and torque about its centre
+struct Load {
+  Vec3 force{}, torque{};
+};
+
+}    // namespace lbm
+#endif

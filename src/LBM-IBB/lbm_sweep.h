@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// The fused collide-and-stream loop over the owned nodes of a block: no branch, no virtual call.
+//
+// Every node is treated alike. Solid nodes are read as zero, so that whatever they hold can neither
+// grow nor be seen; what fluid nodes get from them is overwritten by the link pass.
+
+#ifndef LBM_SWEEP_H
+#define LBM_SWEEP_H
+
+#include "lbm_block.h"
+#include "lbm_collide.h"
+
+namespace lbm {
+
+// no solid anywhere: costs nothing
+struct NoSolids {
+  static constexpr bool present = false, keep_density = false;
+};
+
+// owner[n] >= 0 marks solid nodes
+struct Solids {
+  static constexpr bool present = true, keep_density = false;
+  const int32_t *owner;
+};
+
+// the same, and the density excess of each node is kept for the wall term of moving surfaces
+struct MovingSolids {
+  static constexpr bool present = true, keep_density = true;
+  const int32_t *owner;
+  float *drho;
+};
+
+template <class L, int W, class Collision, class Force, class Solid>
+LBM_INLINE inline void update_nodes(const Slots<L> &p, Index n, const Collision &collide,
+                                    const Force &force, const Solid &solid)
+{
+  using V = Pack<W>;
+  V f[L::Q];
+  unroll<L::Q>([&](auto i) LBM_INLINE { f[i] = load<V>(p[i] + n); });
+  if constexpr (Solid::present) {
+    const auto owner = load<PackInt<W>>(solid.owner + n);
+    unroll<L::Q>([&](auto i) LBM_INLINE { f[i] = where_fluid<W>(owner, f[i]); });
+  }
+  const V drho = collide(f, force);
+  if constexpr (Solid::keep_density) store(solid.drho + n, convert<PackFloat<W>>(drho));
+  unroll<L::Q>([&](auto i) LBM_INLINE { store(p[opposite<L>(i)] + n, f[i]); });
+}
+
+template <class L, class Collision, class Force, class Solid>
+void sweep(const Block<L> &block, const Collision &collide, const Force &force, const Solid &solid)
+{
+  const Layout &at = block.layout();
+  const Slots<L> p = block.slots();
+  for (int z = 0; z < at.n[2]; z++)
+    for (int y = 0; y < at.n[1]; y++) {
+      const Index row = at.index(0, y, z), end = row + at.n[0];
+      Index n = row;
+      for (; n + SIMD_WIDTH <= end; n += SIMD_WIDTH)
+        update_nodes<L, SIMD_WIDTH>(p, n, collide, force, solid);
+      for (; n < end; n++) update_nodes<L, 1>(p, n, collide, force, solid);
+    }
+}
+
+}    // namespace lbm
+#endif
