@@ -16,7 +16,8 @@ Cover::Cover(const Layout &layout, int dimension, const Sides &sides) :
   // ghosts behind an open face; where a wall meets it the wall wins
   auto behind = [&](const Int3 &p, Side side) {
     for (int d = 0; d < 3; d++)
-      if ((p[d] < 0 && sides[d][0] == side) || (p[d] >= at_.n[d] && sides[d][1] == side)) return true;
+      if ((p[d] < 0 && sides[d][0] == side) || (p[d] >= at_.n[d] && sides[d][1] == side))
+        return true;
     return false;
   };
   for (Index i = 0; i < at_.size; i++) {
@@ -58,7 +59,9 @@ void Cover::find_rows(const Sphere &sphere, const Vec3 &c)
       Run run{1, 0};
       if (rest < rsq) {
         const double half = std::sqrt(rsq - rest);
-        auto inside = [&](int x) { return (x - c[0]) * (x - c[0]) + rest < rsq; };
+        auto inside = [&](int x) {
+          return (x - c[0]) * (x - c[0]) + rest < rsq;
+        };
         run.xa = int(std::ceil(c[0] - half));
         run.xb = int(std::floor(c[0] + half));
         if (inside(run.xa - 1)) run.xa--;

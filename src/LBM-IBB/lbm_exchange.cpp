@@ -34,8 +34,7 @@ namespace {
   // velocity of a moving surface and what it does to a link
   template <class V> struct Wall {
     V u[3], eu, usq;
-    template <class T>
-    LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const T (&arm)[3])
+    template <class T> LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const T (&arm)[3])
     {
       for (int d = 0; d < 3; d++) {
         const int a = (d + 1) % 3, b = (d + 2) % 3;
@@ -180,10 +179,10 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
   for (const Gap &gap : links.gaps) close_gap<L, Rule, moving>(at, f, cover, gap, drho, loads);
 }
 
-#define LBM_INSTANTIATE(L, Rule)                                                                  \
-  template void bounce_back<L, Rule, false>(const Layout &, const Slots<L> &, const Cover &,      \
-                                            const Links &, const float *, std::vector<Load> &);   \
-  template void bounce_back<L, Rule, true>(const Layout &, const Slots<L> &, const Cover &,       \
+#define LBM_INSTANTIATE(L, Rule)                                                                \
+  template void bounce_back<L, Rule, false>(const Layout &, const Slots<L> &, const Cover &,    \
+                                            const Links &, const float *, std::vector<Load> &); \
+  template void bounce_back<L, Rule, true>(const Layout &, const Slots<L> &, const Cover &,     \
                                            const Links &, const float *, std::vector<Load> &);
 LBM_INSTANTIATE(D3Q19, Halfway)
 LBM_INSTANTIATE(D3Q19, Bouzidi)

@@ -26,7 +26,9 @@ void bounce_at_wall(const Layout &at, const Slots<L> &f, int d, int side, const 
     const double *out = f[i] + at.offset(L::e[i]);
     double *back = f[opposite<L>(i)];
     const double wall = 6.0 * L::w[i] * dot(L::e[i], u);
-    for_each_node(at, d, side, [&](Index n, const Int3 &) { back[n] = out[n] - wall; });
+    for_each_node(at, d, side, [&](Index n, const Int3 &) {
+      back[n] = out[n] - wall;
+    });
   }
 }
 
@@ -41,8 +43,7 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
     for (int t = 0; t < L::D; t++) {
       if (t == d || e[t] == 0) continue;
       const int s = e[t] > 0 ? 0 : 1;
-      if (p[t] == (s == 0 ? 0 : at.n[t] - 1) && at_end[t][s] &&
-          faces[t][s].kind == FaceKind::WALL)
+      if (p[t] == (s == 0 ? 0 : at.n[t] - 1) && at_end[t][s] && faces[t][s].kind == FaceKind::WALL)
         return true;
     }
     return false;
@@ -82,10 +83,10 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
   });
 }
 
-#define LBM_INSTANTIATE(L)                                                                         \
-  template void bounce_at_wall<L>(const Layout &, const Slots<L> &, int, int, const Vec3 &);       \
-  template void open_face<L>(const Layout &, const Slots<L> &, int, int, const Face &,             \
-                             const Faces &, const std::array<std::array<bool, 2>, 3> &,            \
+#define LBM_INSTANTIATE(L)                                                                   \
+  template void bounce_at_wall<L>(const Layout &, const Slots<L> &, int, int, const Vec3 &); \
+  template void open_face<L>(const Layout &, const Slots<L> &, int, int, const Face &,       \
+                             const Faces &, const std::array<std::array<bool, 2>, 3> &,      \
                              const int32_t *, const Vec3 &);
 LBM_INSTANTIATE(D3Q19)
 LBM_INSTANTIATE(D2Q9)

@@ -25,7 +25,8 @@ using Faces = std::array<std::array<Face, 2>, 3>;
 
 // Half-way bounce-back with wall velocity (Ladd 1994): f_o(x_f) = f*_i(x_f) - 6 w_i e_i.u_w for all
 // directions i through the face; f are the slots of step t + 1.
-template <class L> void bounce_at_wall(const Layout &at, const Slots<L> &f, int d, int side, const Vec3 &u);
+template <class L>
+void bounce_at_wall(const Layout &at, const Slots<L> &f, int d, int side, const Vec3 &u);
 
 // Zou & He 1997 in three dimensions: bounce-back of the non-equilibrium part, with the corrections
 // of Mansouri et al. 2016, appendix A (eq. A.7), closed by the density or the velocity at the face.

@@ -115,16 +115,17 @@ namespace {
     void add_gap(Index n, int x, int y, int z, int32_t behind)
     {
       const Vec3 b = cover.centre(behind);
-      links.gaps.push_back(
-          {uint32_t(n), int32_t(i), int32_t(s), behind,
-           cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),
-           cut({x - b[0], y - b[1], z - b[2]}, L::e[opposite<L>(i)], cover.spheres()[behind].radius)});
+      links.gaps.push_back({uint32_t(n), int32_t(i), int32_t(s), behind,
+                            cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),
+                            cut({x - b[0], y - b[1], z - b[2]}, L::e[opposite<L>(i)],
+                                cover.spheres()[behind].radius)});
     }
   };
 
 }    // namespace
 
-template <class L> void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links)
+template <class L>
+void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links)
 {
   Finder<L> finder(at, cover, s, links);
   for (int i = 1; i < L::Q; i++) finder.along(i);

@@ -17,7 +17,7 @@ struct Sphere {
   Vec3 centre;        // snapped by snap(), so that all images cover exactly the same nodes
   double radius;
   Vec3 velocity;
-  Vec3 spin;          // angular velocity
+  Vec3 spin;    // angular velocity
 
   Vec3 velocity_at(const Vec3 &arm) const
   {
