@@ -303,9 +303,9 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
         refill[(int) options.refill],
         options.average ? "mean of two fluid steps" : "of the last fluid step");
 
-  std::vector<std::string> absent;
+  std::string absent;
   auto has = [&](bool present, const char *name) {
-    if (!present) absent.emplace_back(name);
+    if (!present) absent += std::string(name) + ", ";
   };
   bool wall = false, open = false, force = options.has_gradp;
   for (int d = 0; d < 3; d++) {
@@ -322,8 +322,8 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
   has(options.has_buoyancy, "buoyancy");
   has(comm->nprocs > 1, "messages between ranks");
   text +=
-      fmt::format("  memory {:.4g} MiB on the fullest rank; left out: {}, fields until asked for\n",
-                  most / 1048576.0, utils::join(absent, ", "));
+      fmt::format("  memory {:.4g} MiB on the fullest rank; left out: {}fields until asked for\n",
+                  most / 1048576.0, absent);
   if (comm->me == 0) utils::logmesg(lmp, text);
 }
 
