@@ -18,24 +18,36 @@ namespace {
 }    // namespace
 
 template <class L>
-void bounce_at_wall(const Layout &at, const Slots<L> &f, int d, int side, const Vec3 &u)
+void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, const AtEnd &at_end)
 {
-  const int outward = side == 0 ? -1 : 1;
-  for (int i = 1; i < L::Q; i++) {
-    if (L::e[i][d] != outward) continue;
+  // g(i, d, side) for all directions i through walls
+  auto for_each_direction = [&](auto &&g) {
+    for (int d = 0; d < L::D; d++)
+      for (int side = 0; side < 2; side++)
+        if (at_end[d][side] && faces[d][side].kind == FaceKind::WALL)
+          for (int i = 1; i < L::Q; i++)
+            if (L::e[i][d] == (side == 0 ? -1 : 1)) g(i, d, side);
+  };
+  for_each_direction([&](int i, int d, int side) {
     const double *out = f[i] + at.offset(L::e[i]);
     double *back = f[opposite<L>(i)];
-    const double wall = 6.0 * L::w[i] * dot(L::e[i], u);
     for_each_node(at, d, side, [&](Index n, const Int3 &) {
-      back[n] = out[n] - wall;
+      back[n] = out[n];
     });
-  }
+  });
+  for_each_direction([&](int i, int d, int side) {
+    const double wall = 6.0 * L::w[i] * dot(L::e[i], faces[d][side].u);
+    double *back = f[opposite<L>(i)];
+    if (wall != 0.0)
+      for_each_node(at, d, side, [&](Index n, const Int3 &) {
+        back[n] -= wall;
+      });
+  });
 }
 
 template <class L>
 void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face &face,
-               const Faces &faces, const std::array<std::array<bool, 2>, 3> &at_end,
-               const int32_t *owner, const Vec3 &force)
+               const Faces &faces, const AtEnd &at_end, const int32_t *owner, const Vec3 &force)
 {
   const int inward = side == 0 ? 1 : -1;
   // does the population that arrives along e come from beyond a wall that meets this face?
@@ -83,11 +95,11 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
   });
 }
 
-#define LBM_INSTANTIATE(L)                                                                   \
-  template void bounce_at_wall<L>(const Layout &, const Slots<L> &, int, int, const Vec3 &); \
-  template void open_face<L>(const Layout &, const Slots<L> &, int, int, const Face &,       \
-                             const Faces &, const std::array<std::array<bool, 2>, 3> &,      \
-                             const int32_t *, const Vec3 &);
+#define LBM_INSTANTIATE(L)                                                             \
+  template void bounce_at_walls<L>(const Layout &, const Slots<L> &, const Faces &,    \
+                                   const AtEnd &);                                     \
+  template void open_face<L>(const Layout &, const Slots<L> &, int, int, const Face &, \
+                             const Faces &, const AtEnd &, const int32_t *, const Vec3 &);
 LBM_INSTANTIATE(D3Q19)
 LBM_INSTANTIATE(D2Q9)
 #undef LBM_INSTANTIATE

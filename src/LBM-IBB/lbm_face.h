@@ -23,18 +23,21 @@ struct Face {
 // [d][0] is the lower face along d, [d][1] the upper one
 using Faces = std::array<std::array<Face, 2>, 3>;
 
+// [d][side]: does the block reach this face of the box, and is it not periodic?
+using AtEnd = std::array<std::array<bool, 2>, 3>;
+
 // Half-way bounce-back with wall velocity (Ladd 1994): f_o(x_f) = f*_i(x_f) - 6 w_i e_i.u_w for all
-// directions i through the face; f are the slots of step t + 1.
+// directions i through a wall; a direction through the edge of two walls feels the velocity of both,
+// whatever their order. f are the slots of step t + 1.
 template <class L>
-void bounce_at_wall(const Layout &at, const Slots<L> &f, int d, int side, const Vec3 &u);
+void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, const AtEnd &at_end);
 
 // Zou & He 1997 in three dimensions: bounce-back of the non-equilibrium part, with the corrections
 // of Mansouri et al. 2016, appendix A (eq. A.7), closed by the density or the velocity at the face.
 // Covered nodes are left alone. force is the force density on the fluid.
 template <class L>
 void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face &face,
-               const Faces &faces, const std::array<std::array<bool, 2>, 3> &at_end,
-               const int32_t *owner, const Vec3 &force);
+               const Faces &faces, const AtEnd &at_end, const int32_t *owner, const Vec3 &force);
 
 }    // namespace lbm
 #endif

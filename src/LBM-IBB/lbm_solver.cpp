@@ -59,7 +59,7 @@ namespace {
       collide_and_stream();
       halo.exchange(block);
       block.advance();
-      walls();
+      bounce_at_walls<L>(at, block.slots(), settings.faces, at_end);
       links_bounce_back(loads);
       open_faces();
     }
@@ -111,7 +111,7 @@ namespace {
     Neighbours &neighbours;
     Trt<L> collide;
     Vec3 force{};
-    std::array<std::array<bool, 2>, 3> at_end;    // does the block reach this face of the box?
+    AtEnd at_end;
 
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
@@ -153,14 +153,6 @@ namespace {
         sweep_with(NoForce{});
       else
         sweep_with(UniformForce{force});
-    }
-
-    void walls()
-    {
-      for (int d = 0; d < L::D; d++)
-        for (int side = 0; side < 2; side++)
-          if (at_end[d][side] && settings.faces[d][side].kind == FaceKind::WALL)
-            bounce_at_wall<L>(at, block.slots(), d, side, settings.faces[d][side].u);
     }
 
     void open_faces()
@@ -245,17 +237,16 @@ namespace {
         refill_grad<L>(at, block.slots(), *before, *now, nodes, settings.tau, force, neighbours,
                        refill_count);
       else
-        refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(nodes), force,
+        refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(), force,
                               refill_count);
     }
 
-    // of the whole system; nodes still to be filled do not count
-    double mean_density_excess(const std::vector<Uncovered> &nodes)
+    // of the whole system, over the nodes that were fluid in the last step
+    double mean_density_excess()
     {
-      Survey s = survey();
-      double sums[] = {s.mass - s.fluid_nodes, s.fluid_nodes - double(nodes.size())};
-      for (const Uncovered &node : nodes)
-        sums[0] -= lbm::moments<L>(block.slots(), node.n, force).drho;
+      const Cover &last = moved ? *before : *now;
+      const Survey s = lbm::survey<L>(at, block.slots(), last.owner(), force);
+      double sums[] = {s.mass - s.fluid_nodes, s.fluid_nodes};
       neighbours.sum(sums, 2);
       return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
     }
