@@ -1,6 +1,6 @@
 # Finds or obtains LAMMPS's source tree and adds it, with LBM-IBB inside, to this build.
 # In this order: LAMMPS_DIR; LBMIBB_LAMMPS_URL if set; Debian's source package (pinned, with
-# checksum); LAMMPS's release tag.
+# checksum); LAMMPS's release tag.  Sets LBMIBB_LAMMPS_TREE.
 
 # ccache shares objects between clones at different paths, given that paths below the cache
 # folder are seen as relative ones and that it may look through the precompiled header
@@ -58,6 +58,7 @@ if(NOT EXISTS "${tree}/cmake/CMakeLists.txt" OR NOT EXISTS "${tree}/src/version.
     "Set LAMMPS_DIR to one, or LBMIBB_LAMMPS_URL to an archive of one.")
 endif()
 
+set(LBMIBB_LAMMPS_TREE "${tree}")
 file(STRINGS "${tree}/src/version.h" version REGEX LAMMPS_VERSION)
 message(STATUS "LBM-IBB: LAMMPS in ${tree}: ${version}")
 
