@@ -827,11 +827,11 @@ TEST_F(ContactTest, WallKnowsGrainsThatAreSorted)
     std::string text = box();
     for (int n = 0; n < 8; n++) {
       const double r = 2.0e-4 + 2.0e-5 * n;
-      text += grain(n + 1, 1.0e-3 * (n - 4), r, 0, r) + velocity(n + 1, 0.2 * (4 - n), -0.1, 0.1);
+      text += grain(n + 1, 1.0e-3 * (n - 4), r, 0, r) + velocity(n + 1, 0.2 * (4 - n), -0.5, 0.0);
     }
     script(text + "\natom_modify sort " + sort + "\npair_style zero 1e-4\npair_coeff * *" +
-           "\nfix floor all wall/gran/lsd/coulomb 1000 0.5 0.3 yplane 0 0.001" + integrate() +
-           "\ntimestep 5e-7\nrun 10000 post no");
+           "\nfix floor all wall/gran/lsd/coulomb 1000 0.9 0.02 yplane 0 0.001" + integrate() +
+           "\ntimestep 5e-7\nrun 20000 post no");
     for (int id = 1; id <= 8; id++) {
       if (*sort == '0')
         unsorted.insert(unsorted.end(), {x(id)[1], v(id)[0]});
@@ -1202,8 +1202,15 @@ TEST_F(TimeStep, GrainsThatTurnLighterDuringARunAreNoticed)
   EXPECT_EQ(error_of(text + "\nneigh_modify delay 0 every 1 check no\nrun 1 post no"), "");
 
   // fix adapt shrinks the grains when the check before the run has been passed
-  EXPECT_ERROR("variable small equal 2e-5\nfix shrink all adapt 1000 atom diameter v_small\nrun 10",
-               "is more than a tenth of the shortest contact");
+  const std::string shrink =
+      "\nvariable small equal 2e-5\nfix shrink all adapt 1000 atom diameter v_small\nrun 10";
+  EXPECT_ERROR(shrink, "is more than a tenth of the shortest contact of pair_style");
+
+  start();
+  text = scene(tc / 50.0, floor);
+  text.replace(text.find("atom_style sphere"), 17, "atom_style sphere 1");
+  EXPECT_EQ(error_of(text + "\nneigh_modify delay 0 every 1 check no\nrun 1 post no"), "");
+  EXPECT_ERROR(shrink, "is more than a tenth of the shortest contact of fix wall");
 }
 
 /* ---- refusals ---- */
@@ -1259,6 +1266,22 @@ TEST_F(ContactTest, SpheresAreRequired)
   script("boundary f f f\n" + atomic);
   EXPECT_ERROR("fix w all wall/gran/lsd/coulomb 1000 0.9 0.45 zplane 0 NULL",
                "use atom_style sphere");
+}
+
+TEST_F(ContactTest, UnitsWithHiddenFactorsAreRefused)
+{
+  // where force is not mass times acceleration in the units of the script
+  for (const std::string units : {"real", "metal"}) {
+    const std::string text = "units " + units +
+        "\natom_style sphere\nboundary f f f\nregion b block 0 10 0 10 0 10\ncreate_box 1 b\n"
+        "create_atoms 1 single 5 5 5\ncomm_modify vel yes\ntimestep 1e-6\n";
+    start();
+    EXPECT_ERROR(text + "pair_style gran/lsd/coulomb\npair_coeff * * 1000 0.9 0.45\nrun 0",
+                 "cannot be used with units " + units);
+    start();
+    EXPECT_ERROR(text + "fix w all wall/gran/lsd/coulomb 1000 0.9 0.45 zplane 0 NULL\nrun 0",
+                 "cannot be used with units " + units);
+  }
 }
 
 TEST_F(ContactTest, TwoFreezesOrTwoRigidsAreRefused)
