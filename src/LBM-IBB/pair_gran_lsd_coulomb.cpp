@@ -170,7 +170,8 @@ void PairGranLSDCoulomb::compute(int eflag, int vflag)
       if (mask[i] & mask[j] & freeze_group_bit) continue;
 
       const double r = sqrt(rsq);
-      const double n[3] = {delx / r, dely / r, delz / r};
+      const double rinv = 1.0 / r;
+      const double n[3] = {delx * rinv, dely * rinv, delz * rinv};
       double armi, armj;
       const auto hit = contact(i, j, r, radsum, n, lawi[type[j]], armi, armj);
 
