@@ -170,6 +170,7 @@ void FixWallGranLSDCoulomb::init()
 {
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "{} cannot be used with run_style respa: use run_style verlet", STYLE);
+  GranLSDMaterial::check_units(lmp, STYLE);
 
   inertia_factor = (domain->dimension == 2) ? GranLSD::INERTIA_DISC : GranLSD::INERTIA_SPHERE;
 
@@ -190,15 +191,22 @@ void FixWallGranLSDCoulomb::init()
 void FixWallGranLSDCoulomb::setup(int vflag)
 {
   find_masses();
-  double lightest = BIG;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) lightest = MIN(lightest, weight[i]);
-  double lightest_all;
-  MPI_Allreduce(&lightest, &lightest_all, 1, MPI_DOUBLE, MPI_MIN, world);
-  t_contact = (lightest_all < BIG) ? GranLSD::contact_time(material, lightest_all) : 0.0;
+  double lightest = lightest_own();
+  MPI_Allreduce(MPI_IN_PLACE, &lightest, 1, MPI_DOUBLE, MPI_MIN, world);
+  t_contact = (lightest < BIG) ? GranLSD::contact_time(material, lightest) : 0.0;
   if (t_contact > 0.0) GranLSDMaterial::check_timestep(lmp, STYLE, t_contact);
 
   post_force(vflag);
+}
+
+/* ---------------------------------------------------------------------- */
+
+double FixWallGranLSDCoulomb::lightest_own() const
+{
+  double lightest = BIG;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) lightest = MIN(lightest, weight[i]);
+  return lightest;
 }
 
 /* ----------------------------------------------------------------------
@@ -244,7 +252,17 @@ void FixWallGranLSDCoulomb::post_force(int /*vflag*/)
 
   for (double &value : total) value = 0.0;
   reduced = -1;
-  if (neighbor->ago == 0 || (int) weight.size() != nlocal) find_masses();
+
+  // grains come and go, and may be inserted or change during a run
+
+  if (neighbor->ago == 0 || (int) weight.size() != nlocal) {
+    find_masses();
+    const double lightest = lightest_own();
+    if (!update->setupflag && lightest < BIG) {
+      const double t_own = GranLSD::contact_time(material, lightest);
+      GranLSDMaterial::check_timestep_one(lmp, STYLE, t_own);
+    }
+  }
 
   // where the walls are and how they move
 

@@ -68,6 +68,7 @@ class FixWallGranLSDCoulomb : public Fix {
   int parse_motion(int, int, char **);
   int parse_axis(int, char **) const;
   void find_masses();
+  double lightest_own() const;
 };
 
 }    // namespace LAMMPS_NS

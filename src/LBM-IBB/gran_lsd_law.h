@@ -153,9 +153,9 @@ inline Force evaluate(const Law &law, double overlap, const double *n, const Sid
 
   // normal force
 
-  const double meff = 1.0 / (i.inv_mass + j.inv_mass);
-  double c = law.twozeta * std::sqrt(law.kn * meff);
-  c /= 1.0 + 0.25 * c * dt / meff;
+  const double inv_meff = i.inv_mass + j.inv_mass;
+  double c = law.twozeta * std::sqrt(law.kn / inv_meff);
+  c /= 1.0 + 0.25 * c * dt * inv_meff;
   out.fn = law.kn * overlap - c * out.vn;
   if (law.cut && out.fn < 0.0) out.fn = 0.0;
 

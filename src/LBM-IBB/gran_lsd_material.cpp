@@ -19,6 +19,7 @@
 
 #include "comm.h"
 #include "error.h"
+#include "force.h"
 #include "text_file_reader.h"
 #include "tokenizer.h"
 #include "update.h"
@@ -134,6 +135,17 @@ GranLSD::Material GranLSDMaterial::parse(LAMMPS *lmp, const std::string &command
   if (!(mat.mu >= 0.0) || std::isinf(mat.mu))
     error->all(FLERR, "{}: coefficient of friction mu = {} must be 0 or positive", command, mat.mu);
   return mat;
+}
+
+/* ---------------------------------------------------------------------- */
+
+void GranLSDMaterial::check_units(LAMMPS *lmp, const std::string &style)
+{
+  if (lmp->force->ftm2v != 1.0)
+    lmp->error->all(FLERR,
+                    "{} cannot be used with units {}, in which a force is not a mass times an "
+                    "acceleration: use si, cgs, micro, nano or lj",
+                    style, lmp->update->unit_style);
 }
 
 /* ---------------------------------------------------------------------- */

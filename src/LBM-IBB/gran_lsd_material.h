@@ -35,6 +35,10 @@ namespace GranLSDMaterial {
   static constexpr int NWORDS = 3;
   GranLSD::Material parse(LAMMPS *lmp, const std::string &command, int narg, char **arg, int iarg);
 
+  // error unless force = mass x acceleration in the units of the script
+
+  void check_units(LAMMPS *lmp, const std::string &style);
+
   // error beyond a tenth of t_contact, warning beyond a fiftieth; to be called
   // by all ranks
 

@@ -170,7 +170,8 @@ void PairGranLSDCoulomb::compute(int eflag, int vflag)
       if (mask[i] & mask[j] & freeze_group_bit) continue;
 
       const double r = sqrt(rsq);
-      const double n[3] = {delx / r, dely / r, delz / r};
+      const double rinv = 1.0 / r;
+      const double n[3] = {delx * rinv, dely * rinv, delz * rinv};
       double armi, armj;
       const auto hit = contact(i, j, r, radsum, n, lawi[type[j]], armi, armj);
 
@@ -316,6 +317,8 @@ void PairGranLSDCoulomb::init_style()
   if (comm->ghost_velocity == 0)
     error->all(FLERR, "{} requires the velocities of ghost atoms: add comm_modify vel yes", STYLE);
 
+  GranLSDMaterial::check_units(lmp, STYLE);
+
   // Granular neighbor lists hold the pairs closer than r_i + r_j + skin, which
   // an offset would eat up.  With one, take a list by the cutoffs of init_one(),
   // which include the offset: longer where sizes differ, but complete.
@@ -396,8 +399,8 @@ void PairGranLSDCoulomb::setup()
   update_rigid_masses();
   find_lightest();
   t_contact = shortest_contact();
-  if (t_contact == 0.0) return;
-  GranLSDMaterial::check_timestep(lmp, STYLE, t_contact);
+  if (t_contact > 0.0 && update->whichflag == 1)
+    GranLSDMaterial::check_timestep(lmp, STYLE, t_contact);
 }
 
 /* ----------------------------------------------------------------------

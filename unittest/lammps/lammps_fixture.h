@@ -100,7 +100,8 @@ class LammpsTest : public ::testing::Test {
   {
     script("variable lbmibb_test delete\nvariable lbmibb_test equal " + expression);
     double *value = (double *) lammps_extract_variable(lmp.get(), "lbmibb_test", nullptr);
-    const double result = value ? *value : 0.0;
+    if (!value) throw std::runtime_error("LAMMPS cannot evaluate " + expression);
+    const double result = *value;
     lammps_free(value);
     return result;
   }

@@ -477,6 +477,25 @@ INSTANTIATE_TEST_SUITE_P(Shape, Oblique, ::testing::Values(false, true), [](cons
   return param.param ? "Disc" : "Sphere";
 });
 
+TEST_P(Oblique, SmallSlipIsStoppedInOneStep)
+{
+  // 2/7 m_eff v/dt for spheres and 1/3 m_eff v/dt for discs, of grains and walls
+  const bool disc = GetParam();
+  const double r = 3.0e-4, slip = 1.0e-8, dt = 1.0e-7, kn = 1.0e6;
+  const double m = disc ? disc_mass(r) : sphere_mass(r);
+  const double factor = disc ? 1.0 / 3.0 : 2.0 / 7.0;
+  const std::string scene = box(disc) + grain(1, 0, r - 1.0e-9, 0, r, disc) +
+      velocity(1, slip, 0, 0) + integrate(disc) + "\ntimestep " + num(dt);
+
+  script(scene + grain(2, 0, -r, 0, r, disc) + pair(0.9, 0.5, 0.0, "no", kn) + "\nrun 0 post no");
+  EXPECT_NEAR(f(1)[0] / (-factor * 0.5 * m * slip / dt), 1.0, 1.0e-4);
+  EXPECT_NEAR(f(2)[0] / (factor * 0.5 * m * slip / dt), 1.0, 1.0e-4);
+  start();
+  script(scene + "\nfix floor all wall/gran/lsd/coulomb " + num(kn) +
+         " 0.9 0.5 yplane 0 NULL\nrun 0 post no");
+  EXPECT_NEAR(f(1)[0] / (-factor * m * slip / dt), 1.0, 1.0e-4);
+}
+
 TEST_F(ContactTest, ElasticGrainsStillRub)
 {
   // e = 1: the normal energy comes back, the friction works nevertheless
@@ -790,6 +809,38 @@ TEST_F(ContactTest, ReactionOfWallsIsReported)
   EXPECT_NEAR(thermo("f_slit[3]"), KN * 1.0e-6, 1.0e-9);
   EXPECT_NEAR(thermo("f_slit[6]"), -KN * 3.0e-6, 1.0e-9);
   EXPECT_NEAR(f(1)[2], -KN * 2.0e-6, 1.0e-9);
+
+  // anew, at the same step
+  script("displace_atoms all move 0 0 1e-6\nrun 0 post no");
+  EXPECT_EQ(thermo("f_slit"), 1.0);
+  EXPECT_NEAR(thermo("f_slit[3]"), 0.0, 1.0e-9);
+  EXPECT_NEAR(thermo("f_slit[6]"), -KN * 4.0e-6, 1.0e-9);
+}
+
+TEST_F(ContactTest, WallKnowsGrainsThatAreSorted)
+{
+  // grains of many sizes bounce on a floor while they drift past each other, so
+  // that LAMMPS changes their order; without contacts among them that is no matter
+  std::vector<double> unsorted;
+  for (const char *sort : {"0 0", "10 4e-4"}) {
+    start();
+    std::string text = box();
+    for (int n = 0; n < 8; n++) {
+      const double r = 2.0e-4 + 2.0e-5 * n;
+      text += grain(n + 1, 1.0e-3 * (n - 4), r, 0, r) + velocity(n + 1, 0.2 * (4 - n), -0.5, 0.0);
+    }
+    script(text + "\natom_modify sort " + sort + "\npair_style zero 1e-4\npair_coeff * *" +
+           "\nfix floor all wall/gran/lsd/coulomb 1000 0.9 0.02 yplane 0 0.001" + integrate() +
+           "\ntimestep 5e-7\nrun 20000 post no");
+    for (int id = 1; id <= 8; id++) {
+      if (*sort == '0')
+        unsorted.insert(unsorted.end(), {x(id)[1], v(id)[0]});
+      else {
+        EXPECT_EQ(x(id)[1], unsorted[2 * id - 2]) << "grain " << id;
+        EXPECT_EQ(v(id)[0], unsorted[2 * id - 1]) << "grain " << id;
+      }
+    }
+  }
 }
 
 TEST_F(ContactTest, ShearingWallDragsAGrainAlong)
@@ -826,22 +877,32 @@ TEST_F(ContactTest, GrainBehindAWallIsPushedBack)
 
 TEST_F(ContactTest, FrozenGrainIsInfinitelyHeavy)
 {
-  Impact c;
-  c.parts = 1000.3;
-  c.extra = "\ngroup ice id 2\nfix ice ice freeze";
-  c.newton = false;
-  hit_grain(c);
-  EXPECT_NEAR(-v(1)[0] / c.vn, c.e, 1.0e-3);
-  EXPECT_EQ(v(2)[0], 0.0);
+  // as the first and as the second of the pair
+  const double r = 3.0e-4, vn = 0.05, e = 0.8;
+  const double dt = contact_time({KN, e, 0.0}, sphere_mass(r)) / 1000.3;
+  for (const char *frozen : {"1", "2"}) {
+    for (bool newton : {true, false}) {
+      start();
+      const int mover = (*frozen == '1') ? 2 : 1;
+      const double sign = (mover == 1) ? 1.0 : -1.0, gap = 2.5 * dt * vn;
+      script(box(false, newton) + grain(1, -r - gap, 0, 0, r) + grain(2, r, 0, 0, r) +
+             velocity(mover, sign * vn, 0, 0) + pair(e, 0.0) + "\ngroup ice id " + frozen +
+             "\nfix ice ice freeze" + integrate() + "\ntimestep " + num(dt) + "\nrun 1500 post no");
+      EXPECT_NEAR(-sign * v(mover)[0] / vn, e, 1.0e-3);
+      EXPECT_EQ(v(3 - mover)[0], 0.0);
+    }
+  }
 }
 
 TEST_F(ContactTest, TwoFrozenGrainsAreLeftAlone)
 {
+  // neither has a mass to damp: no force, and nothing infinite in the pressure
   const double r = 3.0e-4;
   script(box() + grain(1, 0, 0, 0, r) + grain(2, r, 0, 0, r) + pair(0.9, 0.45) +
-         "\nfix ice all freeze\ntimestep 1e-7\nrun 10 post no");
+         "\nfix ice all freeze\ncompute p all pressure NULL pair\nthermo_style custom step c_p"
+         "\ntimestep 1e-7\nrun 10 post no");
   EXPECT_EQ(f(1)[0], 0.0);
-  EXPECT_TRUE(std::isfinite(thermo("pxx")));
+  EXPECT_EQ(thermo("c_p"), 0.0);
 }
 
 TEST_F(ContactTest, RigidBodyWeighsAsAWhole)
@@ -1041,6 +1102,25 @@ TEST_F(ContactTest, RestartContinuesTheRun)
   std::remove("contact_law.restart");
 }
 
+TEST_F(ContactTest, RestartKeepsLimitDamping)
+{
+  // stop before the touch, go on from the restart file
+  Impact c;
+  c.e = 0.5;
+  c.limit = "yes";
+  c.parts = 1000.3;
+  c.extra = "\nrestart 1 contact_law.*.restart\nrun 1 post no\nrestart 0";
+  hit_grain(c);
+  start();
+  script("atom_modify map array sort 0 0\ncomm_modify vel yes\nread_restart contact_law.1.restart"
+         "\nneighbor 1e-4 bin\nthermo_style custom step" +
+         integrate() + "\ntimestep " + num(pair_duration(c) / c.parts));
+  EXPECT_EQ(v(2)[0], 0.0);
+  run_through(c);
+  EXPECT_NEAR((v(2)[0] - v(1)[0]) / c.vn, cut_restitution(c.e), 1.0e-3);
+  std::remove("contact_law.1.restart");
+}
+
 /* ---- the time step ---- */
 
 class TimeStep : public ContactTest {
@@ -1122,8 +1202,15 @@ TEST_F(TimeStep, GrainsThatTurnLighterDuringARunAreNoticed)
   EXPECT_EQ(error_of(text + "\nneigh_modify delay 0 every 1 check no\nrun 1 post no"), "");
 
   // fix adapt shrinks the grains when the check before the run has been passed
-  EXPECT_ERROR("variable small equal 2e-5\nfix shrink all adapt 1000 atom diameter v_small\nrun 10",
-               "is more than a tenth of the shortest contact");
+  const std::string shrink =
+      "\nvariable small equal 2e-5\nfix shrink all adapt 1000 atom diameter v_small\nrun 10";
+  EXPECT_ERROR(shrink, "is more than a tenth of the shortest contact of pair_style");
+
+  start();
+  text = scene(tc / 50.0, floor);
+  text.replace(text.find("atom_style sphere"), 17, "atom_style sphere 1");
+  EXPECT_EQ(error_of(text + "\nneigh_modify delay 0 every 1 check no\nrun 1 post no"), "");
+  EXPECT_ERROR(shrink, "is more than a tenth of the shortest contact of fix wall");
 }
 
 /* ---- refusals ---- */
@@ -1179,6 +1266,22 @@ TEST_F(ContactTest, SpheresAreRequired)
   script("boundary f f f\n" + atomic);
   EXPECT_ERROR("fix w all wall/gran/lsd/coulomb 1000 0.9 0.45 zplane 0 NULL",
                "use atom_style sphere");
+}
+
+TEST_F(ContactTest, UnitsWithHiddenFactorsAreRefused)
+{
+  // where force is not mass times acceleration in the units of the script
+  for (const std::string units : {"real", "metal"}) {
+    const std::string text = "units " + units +
+        "\natom_style sphere\nboundary f f f\nregion b block 0 10 0 10 0 10\ncreate_box 1 b\n"
+        "create_atoms 1 single 5 5 5\ncomm_modify vel yes\ntimestep 1e-6\n";
+    start();
+    EXPECT_ERROR(text + "pair_style gran/lsd/coulomb\npair_coeff * * 1000 0.9 0.45\nrun 0",
+                 "cannot be used with units " + units);
+    start();
+    EXPECT_ERROR(text + "fix w all wall/gran/lsd/coulomb 1000 0.9 0.45 zplane 0 NULL\nrun 0",
+                 "cannot be used with units " + units);
+  }
 }
 
 TEST_F(ContactTest, TwoFreezesOrTwoRigidsAreRefused)
