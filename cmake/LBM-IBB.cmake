@@ -10,7 +10,7 @@
 #   PKG_LBM-IBB        ON | OFF    as for every LAMMPS package
 #   LBMIBB_ARCH        native | none | x86-64-v3 | ...   processor our sources are compiled for
 #   LBMIBB_CXX_FLAGS   optimisation flags of our sources
-#   LBMIBB_PCH         ON | OFF    precompiled header for LAMMPS: a third of the build time saved
+#   LBMIBB_PCH         ON | OFF    precompiled header for LAMMPS: saves compile time
 
 option(PKG_LBM-IBB "Build LBM-IBB Package" ON)
 set(LBMIBB_ARCH native CACHE STRING

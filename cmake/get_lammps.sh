@@ -65,9 +65,9 @@ fetch() {
   : > "$work/status"
   "${apt[@]}" update >&2 || true
   # without the .dsc file, which not every mirror serves
-  (cd "$work" && "${apt[@]}" -q=0 source --download-only --tar-only --allow-unauthenticated \
-    lammps >&2)
-  [ -e "$work/$archive" ]
+  apt+=(source --download-only --tar-only --allow-unauthenticated lammps)
+  "${apt[@]}" --print-uris 2>/dev/null | grep -qF " $archive " || return    # another version
+  (cd "$work" && "${apt[@]}" -q=0 >&2)
 }
 
 for uri in $(archives); do
@@ -78,7 +78,7 @@ for uri in $(archives); do
     fi
   done
 done
-[ -e "$work/$archive" ] || die "LAMMPS $version is not to be had from Debian's archive"
+[ -s "$work/$archive" ] || die "LAMMPS $version is not to be had from Debian's archive"
 sha256sum --check --quiet - <<< "$sha256  $work/$archive" >&2 || die "wrong checksum of $archive"
 
 say "unpacking LAMMPS $version"

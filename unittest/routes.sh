@@ -24,6 +24,9 @@ case $route in
   preset)
     cmake -C "$root/cmake/lbm-ibb.cmake" -S "$tree/cmake" -B "$folder/build" -D LBMIBB_ARCH=none
     cmake --build "$folder/build" --parallel "$jobs" --target lmp
+    if grep -q -e '-march=' "$folder/build/build.ninja"; then
+      die "LBMIBB_ARCH=none, yet the compiler is told a processor"
+    fi
     lmp=$folder/build/lmp ;;
   fetch)
     # FetchContent keeps the tree in the cache folder; this one goes with the test
