@@ -52,8 +52,8 @@ static const char cite_fix_lb_ibb[] =
 // ---------------------------------------------------------------------- birth and death
 
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid_steps(0), steps_at_run_start(0), last_step(-1), wall_start(0.0),
-    fluid_time(0.0), grain_time(0.0), ghosted(nullptr), nghosted(0),
+    Fix(lmp, narg, arg), fluid_steps(0), steps_at_run_start(0), first_step(-1), last_step(-1),
+    wall_start(0.0), fluid_time(0.0), grain_time(0.0), ghosted(nullptr), nghosted(0),
     survey_step(-1), fastest{}, gradp_now{}, buoyancy_now{}, pressure_difference(0.0),
     face_speed(0.0)
 {

@@ -70,7 +70,7 @@ class FixLbIbb : public Fix {
   std::unique_ptr<class LBFields> fields;    // also decides which nodes are this rank's
   std::unique_ptr<lbm::MpiNeighbours> neighbours;
   std::unique_ptr<lbm::Fluid> fluid;
-  bigint fluid_steps, steps_at_run_start, last_step;
+  bigint fluid_steps, steps_at_run_start, first_step, last_step;
   double wall_start, fluid_time, grain_time;    // seconds of wall time, the latter two in this run
 
   // columns of array_atom; the first six are seen by the user

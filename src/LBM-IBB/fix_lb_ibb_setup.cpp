@@ -89,10 +89,11 @@ void FixLbIbb::check_scene()
   if (group->count(igroup) > 0 && !(atom->radius_flag && atom->omega_flag && atom->torque_flag))
     error->all(FLERR, "Fix lb/ibb: grains need radius, omega and torque: use atom_style sphere");
 
-  for (auto *other : modify->get_fix_by_style("^lb/(ibb|fluid)$"))
-    if (other != this)
-      error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box: unfix {} or {}", id,
-                 other->id);
+  for (const char *style : {"^lb/ibb", "^lb/fluid"})
+    for (auto *other : modify->get_fix_by_style(style))
+      if (other != this)
+        error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box: unfix {} or {}", id,
+                   other->id);
   for (auto *other : modify->get_fix_list()) {
     if (utils::strmatch(other->style, "^dt/reset"))
       error->all(FLERR,
@@ -104,13 +105,14 @@ void FixLbIbb::check_scene()
                  other->id);
   }
   check_offset();
-  if (fluid_steps == 0 && update->ntimestep % nevery)
+  if (first_step < 0) first_step = update->ntimestep;
+  if (first_step % nevery)
     error->all(
         FLERR,
         "Fix lb/ibb: the first run starts at step {}, which is no multiple of every = {}: "
         "the first fluid step would be too short; use reset_timestep before the fix, or run to a "
         "multiple",
-        update->ntimestep, nevery);
+        first_step, nevery);
   if (last_step >= 0 &&
       (update->ntimestep < last_step || update->ntimestep >= last_step + 2 * nevery))
     error->all(FLERR,
@@ -142,7 +144,10 @@ void FixLbIbb::check_order_of_fixes()
 {
   for (auto *other : modify->get_fix_list()) {
     if (other == this) return;
-    if (utils::strmatch(other->style, "^(freeze|setforce|enforce2d)") && comm->me == 0)
+    bool overrules = false;    // by suffixes too, e.g. freeze/kk
+    for (const char *style : {"^freeze", "^setforce", "^enforce2d"})
+      overrules = overrules || utils::strmatch(other->style, style);
+    if (overrules && comm->me == 0)
       error->warning(FLERR,
                      "Fix {} ({}) is defined before fix lb/ibb and does not see its forces: "
                      "define it after",
