@@ -57,11 +57,11 @@ void FixLbIbb::init()
 void FixLbIbb::reset_dt()
 {
   if (has_started() && units.dt != nevery * update->dt)
-    error->all(
-        FLERR,
-        "Fix lb/ibb: the fluid has run with timestep {} and cannot go on with {}: keep it, or "
-        "define the fix anew",
-        units.dt / nevery, update->dt);
+    error->all(FLERR,
+               "Fix lb/ibb: the fluid has run with timestep {:.8g} and cannot go on with {:.8g}: "
+               "keep it, or "
+               "define the fix anew",
+               units.dt / nevery, update->dt);
 }
 
 void FixLbIbb::check_scene()
