@@ -214,16 +214,16 @@ class FluidTest : public LammpsTest {
   }
 };
 
-#define EXPECT_IN(text, piece)                                                                   \
-  do {                                                                                           \
-    const std::string whole = (text);                                                            \
+#define EXPECT_IN(text, piece)                                                                  \
+  do {                                                                                          \
+    const std::string whole = (text);                                                           \
     EXPECT_NE(whole.find(piece), std::string::npos) << "no '" << (piece) << "' in:\n" << whole; \
   } while (0)
 
-#define EXPECT_NOT_IN(text, piece)                                                               \
-  do {                                                                                           \
-    const std::string whole = (text);                                                            \
-    EXPECT_EQ(whole.find(piece), std::string::npos) << "'" << (piece) << "' in:\n" << whole;    \
+#define EXPECT_NOT_IN(text, piece)                                                           \
+  do {                                                                                       \
+    const std::string whole = (text);                                                        \
+    EXPECT_EQ(whole.find(piece), std::string::npos) << "'" << (piece) << "' in:\n" << whole; \
   } while (0)
 
 #endif

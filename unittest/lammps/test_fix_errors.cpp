@@ -30,10 +30,7 @@ class Refusals : public FluidTest {
     start();
     return error_of(box(cells, boundary) + fluid(options) + run(0));
   }
-  static std::string line(const std::string &words)
-  {
-    return "\nfix w all lb/ibb " + words;
-  }
+  static std::string line(const std::string &words) { return "\nfix w all lb/ibb " + words; }
   std::string refused_line(const std::string &words)
   {
     start();
@@ -68,9 +65,10 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("gradp 1 2 up"), "up");
   EXPECT_IN(refusal("buoyancy 0 0 v_g"), "variable g does not exist: define it before the run");
   // all that the contract names is taken
-  EXPECT_EQ(refusal("every 2 collision trt 0.25 link bouzidi refill equilibrium accel 0 0 1e-3 gradp "
-                    "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no check 50"),
-            "");
+  EXPECT_EQ(
+      refusal("every 2 collision trt 0.25 link bouzidi refill equilibrium accel 0 0 1e-3 gradp "
+              "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no check 50"),
+      "");
   EXPECT_EQ(refusal("collision bgk link halfway refill grad average yes"), "");
 }
 
@@ -100,10 +98,12 @@ TEST_F(Refusals, Faces)
             "zlo wall moves with 0.001 along z, through itself: this component must be the number "
             "0; fluid enters through a velocity face");
   EXPECT_IN(refusal("face zlo wall 0 0 v_u face zhi wall", "p p f"), "zlo wall moves with v_u");
-  EXPECT_IN(refusal("face zlo wall 1 2 face zhi wall", "p p f"), "Expected floating point parameter");
+  EXPECT_IN(refusal("face zlo wall 1 2 face zhi wall", "p p f"),
+            "Expected floating point parameter");
   EXPECT_IN(refusal("face zlo pressure face zhi wall", "p p f"), "face");
-  EXPECT_IN(refusal("face xlo pressure 0 face xhi wall face ylo wall face yhi velocity 0 1 0", "f f p"),
-            "open faces xlo and yhi meet in an edge");
+  EXPECT_IN(
+      refusal("face xlo pressure 0 face xhi wall face ylo wall face yhi velocity 0 1 0", "f f p"),
+      "open faces xlo and yhi meet in an edge");
   EXPECT_IN(refusal("face xlo velocity 1e-3 0 0 face xhi velocity 2e-3 0 0", "f p p"),
             "faces xlo and xhi contradict each other: the fluid moves with 0.001 through one and "
             "0.002 through the other: make them equal, or one a pressure face");
@@ -137,7 +137,8 @@ TEST_F(Refusals, RelaxationTime)
   start();
   EXPECT_IN(log_of(scene + "1e-5" + run(0)), "WARNING: Fix lb/ibb: relaxation time tau = 0.503 is");
   start();
-  EXPECT_IN(log_of(scene + "1e-2" + run(0)), "tau = 3.5 is large: accuracy is lost above 3; reduce");
+  EXPECT_IN(log_of(scene + "1e-2" + run(0)),
+            "tau = 3.5 is large: accuracy is lost above 3; reduce");
 }
 
 TEST_F(Refusals, PressureAndSpeedAtTheFaces)
@@ -149,19 +150,22 @@ TEST_F(Refusals, PressureAndSpeedAtTheFaces)
         run(0);
   };
   EXPECT_NOT_IN(log_of(scene("0.166")), "WARNING: Fix lb/ibb");
-  EXPECT_IN(log_of(scene("0.168")), "WARNING: Fix lb/ibb: pressure difference 0.168 between faces "
-                                    "changes the density by 5.04 %, limit 5 %");
+  EXPECT_IN(log_of(scene("0.168")),
+            "WARNING: Fix lb/ibb: pressure difference 0.168 between faces "
+            "changes the density by 5.04 %, limit 5 %");
   EXPECT_EQ(error_of(scene("0.666")), "");
-  EXPECT_ERROR(scene("0.8"), "changes the density by 24 %, limit 20 %: the largest relaxation time "
-                             "allowed here is tau = 0.7739, a fluid time step of 0.0009129 (now "
-                             "tau = 0.8000, 0.001); reduce timestep or every");
+  EXPECT_ERROR(scene("0.8"),
+               "changes the density by 24 %, limit 20 %: the largest relaxation time "
+               "allowed here is tau = 0.7739, a fluid time step of 0.0009129 (now "
+               "tau = 0.8000, 0.001); reduce timestep or every");
   auto stream = [&](const std::string &u) {
     start();
     return box({8, 8, 8}, "p p f") + fluid("face zlo velocity 0 0 " + u + " face zhi pressure 0") +
         run(0);
   };
-  EXPECT_IN(log_of(stream("6e-3")), "WARNING: Fix lb/ibb: speed 0.006 prescribed at a face is Ma = "
-                                    "0.104 of the lattice's sound speed, limit 0.1: reduce");
+  EXPECT_IN(log_of(stream("6e-3")),
+            "WARNING: Fix lb/ibb: speed 0.006 prescribed at a face is Ma = "
+            "0.104 of the lattice's sound speed, limit 0.1: reduce");
   EXPECT_ERROR(stream("0.018"), "Ma = 0.312 of the lattice's sound speed, limit 0.3");
 }
 
@@ -172,8 +176,9 @@ TEST_F(Refusals, Radii)
     return box({12, 12, 12}) + grain(1, {6, 6, 6}, r) + fluid(options) + run(0);
   };
   EXPECT_NOT_IN(log_of(scene(3.5001, "")), "hydrodynamic radius");
-  EXPECT_IN(log_of(scene(3.0, "")), "WARNING: Fix lb/ibb: smallest hydrodynamic radius 0.0003 is 3 "
-                                    "cells, limit 3.5: use dx <= 8.571e-05");
+  EXPECT_IN(log_of(scene(3.0, "")),
+            "WARNING: Fix lb/ibb: smallest hydrodynamic radius 0.0003 is 3 "
+            "cells, limit 3.5: use dx <= 8.571e-05");
   EXPECT_ERROR(scene(1.9, ""), "radius 0.00019 is 1.9 cells, limit 2: use dx <= 9.5e-05");
   EXPECT_ERROR(scene(3.0, "shrink 1.1e-4"), "is 1.9 cells, limit 2");
   EXPECT_ERROR(scene(3.0, "shrink 3.1e-4"), "must be larger than 0");
@@ -201,7 +206,8 @@ TEST_F(Refusals, Scenes)
             "only one fluid can fill the box: unfix w or v");
   EXPECT_IN(with("fix b all deform 1 x scale 1.1"), "does not support a changing box");
   EXPECT_IN(with("change_box all boundary s p p"), "shrink-wrapped");
-  EXPECT_IN(with("change_box all x final 0 1.3e-3"), "the box has changed since the fix was defined");
+  EXPECT_IN(with("change_box all x final 0 1.3e-3"),
+            "the box has changed since the fix was defined");
   EXPECT_IN(with("change_box all boundary f p p"), "boundary command was used after");
   EXPECT_IN(with("comm_style tiled"), "needs comm_style brick");
   start();
@@ -217,14 +223,16 @@ TEST_F(Refusals, Scenes)
                "does not support triclinic boxes");
   for (const std::string units : {"real", "metal", "electron"}) {
     start();
-    EXPECT_ERROR("units " + units + "\natom_style sphere\nregion b block 0 1 0 1 0 1\ncreate_box 1 b" +
+    EXPECT_ERROR("units " + units +
+                     "\natom_style sphere\nregion b block 0 1 0 1 0 1\ncreate_box 1 b" +
                      line("dx 0.1 nu 1 rho 1") + run(0),
                  "units " + units + " have hidden conversion factors: use units si, cgs, lj");
   }
   for (const std::string units : {"cgs", "lj", "micro", "nano"}) {
     start();
-    EXPECT_EQ(error_of("units " + units + "\natom_style sphere\nregion b block 0 1 0 1 0 1"
-                                          "\ncreate_box 1 b\ntimestep 1e-3" +
+    EXPECT_EQ(error_of("units " + units +
+                       "\natom_style sphere\nregion b block 0 1 0 1 0 1"
+                       "\ncreate_box 1 b\ntimestep 1e-3" +
                        line("dx 0.1 nu 1 rho 1") + run(1)),
               "");
   }
@@ -237,12 +245,14 @@ TEST_F(Refusals, Scenes)
 
 TEST_F(Refusals, ShrinkTogetherWithAContactOffset)
 {
-  const std::string scene = box({12, 12, 12}, "p p f") + grain(1, {6, 6, 6}, 3.6) + "\ntimestep 1e-6" +
-      fluid("every 1000 shrink 1e-5 face zlo wall face zhi wall");
-  EXPECT_ERROR(scene + "\npair_style gran/lsd/coulomb offset 2e-5\npair_coeff * * 100 0.9 0.45" + run(0),
+  const std::string scene = box({12, 12, 12}, "p p f") + grain(1, {6, 6, 6}, 3.6) +
+      "\ntimestep 1e-6" + fluid("every 1000 shrink 1e-5 face zlo wall face zhi wall");
+  EXPECT_ERROR(scene + "\npair_style gran/lsd/coulomb offset 2e-5\npair_coeff * * 100 0.9 0.45" +
+                   run(0),
                "shrink 1e-05 and the contact offset 2e-05 of pair style gran/lsd/coulomb are two");
   start();
-  EXPECT_ERROR(scene + "\nfix f all wall/gran/lsd/coulomb 100 0.9 0.45 zplane 0 NULL offset 3e-5" + run(0),
+  EXPECT_ERROR(scene + "\nfix f all wall/gran/lsd/coulomb 100 0.9 0.45 zplane 0 NULL offset 3e-5" +
+                   run(0),
                "shrink 1e-05 and the contact offset 3e-05 of fix f are two ways of the same thing");
   // the contact law watches its own time step
   start();
@@ -258,8 +268,9 @@ TEST_F(Refusals, StepsAndTimesteps)
   start();
   script(box({8, 8, 8}) + fluid("accel 1e-3 0 0") + run(5));
   EXPECT_ERROR("reset_timestep 0", "time-dependent fix");
-  EXPECT_ERROR("timestep 2e-3", "has run with timestep 0.001 and cannot go on with 0.002: keep it, or "
-                                "define the fix anew");
+  EXPECT_ERROR("timestep 2e-3",
+               "has run with timestep 0.001 and cannot go on with 0.002: keep it, or "
+               "define the fix anew");
 }
 
 TEST_F(Refusals, GhostCutoffIsRaisedWithAMessage)

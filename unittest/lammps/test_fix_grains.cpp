@@ -32,7 +32,8 @@ TEST_F(Grains, TranslationByWholeCellsAcrossPeriodicFaces)
   for (const Cells shift : {Cells{0, 0, 0}, Cells{6, 0, 0}, Cells{5, 6, 0}, Cells{6, 6, 5}}) {
     start();
     script(box({12, 11, 10}) +
-           grain(1, {fmod(c[0] + shift[0], 12), fmod(c[1] + shift[1], 11), fmod(c[2] + shift[2], 10)},
+           grain(1,
+                 {fmod(c[0] + shift[0], 12), fmod(c[1] + shift[1], 11), fmod(c[2] + shift[2], 10)},
                  3.6) +
            fluid("accel " + nums(a)) + frozen() + run(60));
     for (int d = 0; d < 3; d++) {
@@ -102,8 +103,7 @@ TEST_F(Grains, BuoyancyAndShrink)
   for (int dimension : {2, 3}) {
     start();
     const Triple c{6.2, 6.1, 6.3};
-    script(dimension == 3 ? box({12, 12, 12}) + grain(1, c, r)
-                          : box({12, 12, 1}) + disc(1, c, r));
+    script(dimension == 3 ? box({12, 12, 12}) + grain(1, c, r) : box({12, 12, 1}) + disc(1, c, r));
     script(fluid("buoyancy 1.5 -9.81 0 shrink " + num(shrink * DX)) + run(0));
     const double lift = RHO * grain_volume(r - shrink);
     EXPECT_NEAR(f(1)[0], -lift * 1.5, 1e-13 * lift);
@@ -192,8 +192,7 @@ TEST_F(Grains, SettlingSphereReachesATerminalVelocity)
   }
   // Stokes's speed, a quarter of it or so between walls at 2.2 radii: 0.22 in a round tube
   // (Faxen), more in a square one
-  const double stokes =
-      2.0 / 9.0 * (SOLID / RHO - 1.0) * 0.05 * r * DX * r * DX / NU;
+  const double stokes = 2.0 / 9.0 * (SOLID / RHO - 1.0) * 0.05 * r * DX * r * DX / NU;
   for (int k = 1; k < 4; k++) EXPECT_GT(speed[k], 0.999 * speed[k - 1]);
   EXPECT_NEAR(speed[3], speed[2], 0.01 * speed[2]);
   EXPECT_GT(speed[2], 0.22 * stokes);
@@ -222,9 +221,10 @@ TEST_F(Grains, SpinningGrainFeelsATorqueOnly)
 
 TEST_F(Grains, OutsideTheGroupTheFluidSeesNothing)
 {
-  script(box({12, 11, 10}) + grain(1, {5.3, 6.1, 4.9}, 2.65) + grain(2, {10.1, 3.1, 2.0}, 2.2) +
-         "\ngroup wet id 1\nfix w wet lb/ibb dx 1e-4 nu 1e-6 rho 1000 accel 2e-3 0 0 buoyancy 0 0 -9" +
-         "\nfix still all setforce NULL NULL NULL" + run(20));
+  script(
+      box({12, 11, 10}) + grain(1, {5.3, 6.1, 4.9}, 2.65) + grain(2, {10.1, 3.1, 2.0}, 2.2) +
+      "\ngroup wet id 1\nfix w wet lb/ibb dx 1e-4 nu 1e-6 rho 1000 accel 2e-3 0 0 buoyancy 0 0 -9" +
+      "\nfix still all setforce NULL NULL NULL" + run(20));
   EXPECT_EQ(out(12), all_nodes() - covered({5.3, 6.1, 4.9}, 2.65));
   EXPECT_NE(force(1)[0], 0.0);
   EXPECT_EQ(force(2)[0], 0.0);

@@ -52,7 +52,8 @@ class Outputs : public FluidTest {
 
 TEST_F(Outputs, ThermoAverageAndReduction)
 {
-  script(scene() + "\ncompute sum all reduce sum f_w[*]\nthermo_style custom step f_w f_w[*] c_sum[*]" +
+  script(scene() +
+         "\ncompute sum all reduce sum f_w[*]\nthermo_style custom step f_w f_w[*] c_sum[*]" +
          "\nthermo 5\nfix t all ave/time 1 10 10 f_w f_w[6] mode scalar\nvariable F equal f_w[6]" +
          "\nvariable fx atom f_w[1]\ncompute vsum all reduce sum v_fx" + run(20));
   EXPECT_NEAR(thermo("c_sum[1]"), out(6), 1e-14 * out(6));
@@ -69,7 +70,8 @@ TEST_F(Outputs, ThermoAverageAndReduction)
 
 TEST_F(Outputs, PerAtomDump)
 {
-  script(scene() + "\ndump d all custom 10 atoms.dump id f_w[1] f_w[2] f_w[3] f_w[4] f_w[5] f_w[6]" +
+  script(scene() +
+         "\ndump d all custom 10 atoms.dump id f_w[1] f_w[2] f_w[3] f_w[4] f_w[5] f_w[6]" +
          "\ndump_modify d format float %.17g sort id" + run(10) + "\nundump d");
   const auto rows = table("atoms.dump");
   std::remove("atoms.dump");
@@ -158,10 +160,10 @@ TEST_F(Outputs, BeforeTheFirstRun)
 
 TEST_F(Outputs, SummaryOfTheScene)
 {
-  const std::string log = log_of(
-      box({8, 8, 20}, "p p f") + grain(1, {4.3, 4.1, 9.9}, 3.6) +
-      fluid("face zlo pressure 0.01 face zhi pressure -0.01 buoyancy 0 0 -9.81 average no") +
-      frozen() + run(10));
+  const std::string log =
+      log_of(box({8, 8, 20}, "p p f") + grain(1, {4.3, 4.1, 9.9}, 3.6) +
+             fluid("face zlo pressure 0.01 face zhi pressure -0.01 buoyancy 0 0 -9.81 average no") +
+             frozen() + run(10));
   EXPECT_IN(log, "8 x 8 x 20 nodes of dx = 0.0001, D3Q19, collision trt, Lambda = 0.1875");
   EXPECT_IN(log, "fluid step = 1 x timestep = 0.001, tau = 0.80000");
   EXPECT_IN(log, "Ma = 0.1 at speed 0.005774, limit 0.3 at 0.01732");

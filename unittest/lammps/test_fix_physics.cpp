@@ -62,8 +62,8 @@ TEST_F(Physics, PressureGradientPushesFluidAndGrain)
 {
   const double r = 3.6;
   const Triple g{2.0, -1.0, 0.5};
-  script(box({12, 11, 10}) + grain(1, {5.3, 6.1, 4.9}, r) +
-         fluid("link halfway gradp " + nums(g)) + frozen() + run(1500));
+  script(box({12, 11, 10}) + grain(1, {5.3, 6.1, 4.9}, r) + fluid("link halfway gradp " + nums(g)) +
+         frozen() + run(1500));
   const double volume = out(12) * cell_volume() + grain_volume(r);
   for (int d = 0; d < 3; d++) {
     EXPECT_NEAR(force(1)[d], -g[d] * volume, 1e-10 * 2.0 * volume);
@@ -210,7 +210,7 @@ TEST_F(Physics, FluidStartsAtRest)
 TEST_F(Physics, VariableThatUsesTheFluidItself)
 {
   // a controller: the acceleration falls as the flux nears its goal
-  script(box({4, 3, 5}) + fluid("accel v_a 0 0") +
-         "\nvariable a equal 0.1*(1e-3-f_w[9])" + run(1000));
+  script(box({4, 3, 5}) + fluid("accel v_a 0 0") + "\nvariable a equal 0.1*(1e-3-f_w[9])" +
+         run(1000));
   EXPECT_NEAR(out(9), 1e-3 * (1.0 - std::exp(-0.1)), 2e-6);
 }

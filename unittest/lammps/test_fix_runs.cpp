@@ -74,8 +74,8 @@ TEST_F(Runs, DefinedAnewWithAnotherTimestep)
   EXPECT_NEAR(out(1), TAU, 1e-12);
   EXPECT_GT(out(9), 0.0);
   // all of it once more
-  script("clear\n" + box({4, 6, 4}, "p f p") +
-         fluid("face ylo wall face yhi wall accel 0.01 0 0") + run(50));
+  script("clear\n" + box({4, 6, 4}, "p f p") + fluid("face ylo wall face yhi wall accel 0.01 0 0") +
+         run(50));
   EXPECT_EQ(out(12), 96.0);
 }
 
@@ -134,10 +134,11 @@ TEST_F(Runs, GrainsDepositedDuringARun)
 {
   std::ofstream("grain.mol") << "one grain\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\n"
                                 "Diameters\n\n1 6e-4\n\nMasses\n\n1 3e-7\n";
-  script(box({16, 16, 16}) + "\nmolecule ball grain.mol\nregion all block " +
-         "0 1.6e-3 0 1.6e-3 0 1.6e-3\nfix drop all deposit 4 1 5 4711 region all mol ball near 7e-4 "
-         "attempt 1000" +
-         fluid("accel 1e-3 0 0 check 1") + frozen() + run(40));
+  script(
+      box({16, 16, 16}) + "\nmolecule ball grain.mol\nregion all block " +
+      "0 1.6e-3 0 1.6e-3 0 1.6e-3\nfix drop all deposit 4 1 5 4711 region all mol ball near 7e-4 "
+      "attempt 1000" +
+      fluid("accel 1e-3 0 0 check 1") + frozen() + run(40));
   std::remove("grain.mol");
   EXPECT_EQ(lmp->atom->natoms, 4);
   int solid = 0;
@@ -153,8 +154,8 @@ TEST_F(Runs, GrainsPouredDuringARun)
   script(box({16, 16, 24}, "p p f") + "\nregion slab block 0 1.6e-3 0 1.6e-3 0.8e-3 2.2e-3" +
          "\nfix g all gravity 0.1 vector 0 0 -1\nfix m all nve/sphere"
          "\nfix rain all pour 3 1 4711 region slab diam range 5e-4 6e-4 dens 2600 2600" +
-         fluid("buoyancy 0 0 -0.1 check 1 face zlo wall face zhi pressure 0") +
-         "\ntimestep " + num(DT / 4) + run(200));
+         fluid("buoyancy 0 0 -0.1 check 1 face zlo wall face zhi pressure 0") + "\ntimestep " +
+         num(DT / 4) + run(200));
   EXPECT_EQ(lmp->atom->natoms, 3);
   EXPECT_GT(out(8), 0.0);
   EXPECT_LT(out(12), all_nodes() - 100);
@@ -178,8 +179,7 @@ TEST_F(Runs, DiscInTwoDimensions)
   const double r = 4.3;
   const Triple a{2e-3, -1e-3, 0}, c{9.3, 7.1, 0};
   script(box({18, 16, 1}) + disc(1, c, r) +
-         fluid("link halfway accel " + nums(a) + " gradp 0 0.5 0") + frozen() +
-         run(3000));
+         fluid("link halfway accel " + nums(a) + " gradp 0 0.5 0") + frozen() + run(3000));
   EXPECT_EQ(out(12), all_nodes() - covered(c, r));
   EXPECT_EQ(out(13), cut_links());
   const double volume = out(12) * DX * DX, whole = RHO * a[0] * volume;
@@ -195,10 +195,11 @@ TEST_F(Runs, DiscSettlesUnderItsOwnWeight)
 {
   // the fluid bears the submerged weight in the end
   const double r = 4.3, g = 0.02;
-  script(box({24, 60, 1}, "f f p") + disc(1, {12.1, 45.3, 0}, r) + "\ntimestep " + num(DT / 4) +
-         "\nfix m all nve/sphere disc\nfix g all gravity 0.02 vector 0 -1 0" +
-         fluid("every 4 buoyancy 0 -0.02 0 face xlo wall face xhi wall face ylo wall face yhi wall") +
-         "\nfix flat all enforce2d" + run(3000));
+  script(
+      box({24, 60, 1}, "f f p") + disc(1, {12.1, 45.3, 0}, r) + "\ntimestep " + num(DT / 4) +
+      "\nfix m all nve/sphere disc\nfix g all gravity 0.02 vector 0 -1 0" +
+      fluid("every 4 buoyancy 0 -0.02 0 face xlo wall face xhi wall face ylo wall face yhi wall") +
+      "\nfix flat all enforce2d" + run(3000));
   const double weight = (SOLID - RHO) * grain_volume(r) * g;
   script("fix mean all ave/time 4 200 3800 f_w[7]" + run(800));
   EXPECT_NEAR(lmp->modify->get_fix_by_id("mean")->compute_scalar(), weight, 0.03 * weight);

@@ -70,15 +70,17 @@ TEST_F(Stops, PressureRampGoesTooFar)
 {
   script(box({8, 8, 8}, "p p f") + fluid("face zlo pressure v_p face zhi pressure 0 check 1000") +
          "\nvariable p equal 0.01*step\nthermo 1000");
-  EXPECT_ERROR(run(100), "stopped at step 67, fluid step 66: pressure difference 0.67 between faces "
-                         "changes the density by 20.1 %, limit 20 %");
+  EXPECT_ERROR(run(100),
+               "stopped at step 67, fluid step 66: pressure difference 0.67 between faces "
+               "changes the density by 20.1 %, limit 20 %");
 }
 
 TEST_F(Stops, WallRampGoesTooFar)
 {
   script(box({8, 8, 8}, "p p f") + fluid("face zlo wall v_u 0 0 face zhi wall check 1000") +
          "\nvariable u equal 1e-3*step\nthermo 1000");
-  EXPECT_ERROR(run(100), "stopped at step 18, fluid step 17: speed 0.018 prescribed at a face is Ma");
+  EXPECT_ERROR(run(100),
+               "stopped at step 18, fluid step 17: speed 0.018 prescribed at a face is Ma");
 }
 
 TEST_F(Stops, GrainMovesMoreThanACell)

@@ -1,0 +1,238 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   Copyright (2003) Sandia Corporation.  Under the terms of Contract
+   DE-AC04-94AL85000 with Sandia Corporation, the U.S. Government retains
+   certain rights in this software.  This software is distributed under
+   the GNU General Public License.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+/* ----------------------------------------------------------------------
+   Contributing authors: LBM-IBB developers
+------------------------------------------------------------------------- */
+
+// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
+
+// The fluid and its grains are the same on any brick of ranks: each scene runs on all ranks together,
+// arranged in every way, and once more on every rank alone.
+
+#include "../lammps/fluid_scenes.h"
+
+#include "comm.h"
+
+#include <map>
+
+class FluidRanks : public FluidTest {
+ protected:
+  // position, velocity, spin, force and torque of the own atoms by ID; under 0 the outputs
+  std::map<int, std::vector<double>> result()
+  {
+    std::map<int, std::vector<double>> all;
+    for (int i = 0; i < lmp->atom->nlocal; i++) {
+      const int id = lmp->atom->tag[i];
+      auto &values = all[id];
+      for (double *vec : {x(id), v(id), omega(id)}) values.insert(values.end(), vec, vec + 3);
+      values.insert(values.end(), load(id), load(id) + 6);
+    }
+    all[0] = {mass()};
+    for (int k = 1; k <= 13; k++) all[0].push_back(out(k));
+    return all;
+  }
+
+  static std::vector<std::string> bricks()
+  {
+    int nprocs;
+    MPI_Comm_size(MPI_COMM_WORLD, &nprocs);
+    if (nprocs == 2) return {"2 1 1", "1 2 1", "1 1 2"};
+    if (nprocs == 4) return {"4 1 1", "1 4 1", "1 1 4", "2 2 1", "2 1 2", "1 2 2"};
+    return {"1 1 1"};
+  }
+
+  // scene() writes the script of a box with these extra lines
+  template <class Scene> void compare(Scene &&scene)
+  {
+    start(MPI_COMM_SELF);
+    script(scene(""));
+    const auto alone = result();
+    // scales of length, velocity, spin, force and torque: the largest of all grains
+    std::vector<double> scale(5, 1e-300);
+    for (const auto &[id, values] : alone)
+      for (int k = 0; id > 0 && k < 15; k++)
+        scale[k / 3] = std::max(scale[k / 3], std::fabs(values[k]));
+    for (const std::string &brick : bricks()) {
+      if (n[2] == 1 && brick.back() != '1') continue;
+      start(MPI_COMM_WORLD);
+      script(scene("processors " + brick));
+      SCOPED_TRACE(brick);
+      const auto together = result();
+      int mine = (int) together.size() - 1, all;
+      MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+      EXPECT_EQ(all, (int) alone.size() - 1);
+      for (const auto &[id, values] : together) {
+        ASSERT_EQ(alone.count(id), 1u);
+        const auto &expected = alone.at(id);
+        for (std::size_t k = 0; k < values.size(); k++) {
+          const double size = id > 0 ? scale[k / 3]
+                                     : std::max(std::fabs(expected[k]), floor_of(k, scale[3]));
+          EXPECT_NEAR(values[k], expected[k], 1e-12 * size) << "grain " << id << " value " << k;
+        }
+      }
+    }
+  }
+
+  // components of forces and fluxes may cancel: outputs 6-8 and 9-11 are compared by their size
+  static double floor_of(std::size_t k, double force)
+  {
+    if (k >= 6 && k <= 8) return force;
+    return k >= 9 && k <= 11 ? 1e-3 : 0.0;
+  }
+
+  // grains of radius 2 to 3 cells on a lattice of 6 cells, moved off it a little
+  std::string heap(const Cells &count, double speed) const
+  {
+    std::string text;
+    unsigned int seed = 4711;
+    auto uniform = [&seed]() {
+      seed = 1664525u * seed + 1013904223u;
+      return seed / 2147483648.0 - 1.0;
+    };
+    int id = 0;
+    for (int k = 0; k < count[2]; k++)
+      for (int j = 0; j < count[1]; j++)
+        for (int i = 0; i < count[0]; i++) {
+          const Triple c{6.0 * i + 3.0 + 0.3 * uniform(), 6.0 * j + 3.0 + 0.3 * uniform(),
+                         6.0 * k + 3.0 + 0.3 * uniform()};
+          text += grain(++id, c, 2.6 + 0.4 * uniform(),
+                        {speed * uniform(), speed * uniform(), speed * uniform()});
+        }
+    return text;
+  }
+};
+
+TEST_F(FluidRanks, FixedGrains)
+{
+  compare([&](const std::string &brick) {
+    return box({18, 12, 18}, "p p p", brick) + heap({3, 2, 3}, 0.0) +
+        fluid("accel 2e-3 -1e-3 5e-4 gradp 0.1 0 0") + frozen() + run(40);
+  });
+}
+
+TEST_F(FluidRanks, FixedGrainsWithFaces)
+{
+  compare([&](const std::string &brick) {
+    return box({18, 12, 18}, "f p f", brick) + heap({3, 2, 3}, 0.0) +
+        fluid("face xlo wall 0 1e-3 0 face xhi wall face zlo pressure v_p face zhi velocity 0 0 "
+              "5e-4 "
+              "refill equilibrium link bouzidi collision bgk") +
+        "\nvariable p equal 1e-3*step" + frozen() + run(40);
+  });
+}
+
+// through faces, edges and corners of sub-domains and of the periodic box
+TEST_F(FluidRanks, PrescribedMotion)
+{
+  for (const Triple &u :
+       {Triple{4e-3, 0, 0}, Triple{0, -4e-3, 4e-3}, Triple{-4e-3, 3.9e-3, 4.1e-3}})
+    compare([&](const std::string &brick) {
+      return box({16, 14, 15}, "p p p", brick) + grain(1, {12.3, 3.1, 11.2}, 3.3) +
+          grain(2, {5.1, 10.2, 3.4}, 2.6) + fluid("check 10") + "\nfix m all move linear " +
+          nums(u) + run(100);
+    });
+}
+
+TEST_F(FluidRanks, FreeGrainsThatCollide)
+{
+  compare([&](const std::string &brick) {
+    return box({18, 18, 12}, "p p f", brick) + heap({3, 3, 2}, 4e-3) + "\ntimestep " +
+        num(DT / 20) +
+        "\npair_style gran/lsd/coulomb\npair_coeff * * 0.05 0.8 0.4"
+        "\nfix floor all wall/gran/lsd/coulomb 0.05 0.8 0.4 zplane 0 1.2e-3"
+        "\nfix m all nve/sphere\nfix g all gravity 1 vector 0 0 -1"
+        "\nneigh_modify delay 0 every 1 check yes" +
+        fluid("every 20 buoyancy 0 0 -1 face zlo wall face zhi pressure 0") + run(1600);
+  });
+}
+
+// one grain that reaches over all sub-domains, and ranks that own none
+TEST_F(FluidRanks, GrainLargerThanASubdomain)
+{
+  compare([&](const std::string &brick) {
+    return box({12, 12, 12}, "p p p", brick) + grain(1, {2.3, 6.1, 9.2}, 5.1, {2e-3, 0, 1e-3}) +
+        "\nset atom 1 omega 1 2 3\nfix m all nve/sphere" + fluid("accel 1e-3 0 0") + run(60);
+  });
+}
+
+TEST_F(FluidRanks, TwoDimensions)
+{
+  compare([&](const std::string &brick) {
+    return box({20, 16, 1}, "p f p", brick) + disc(1, {19.3, 6.1, 0}, 3.3, {3e-3, 1e-3, 0}) +
+        disc(2, {8.2, 9.6, 0}, 4.1) + "\nfix m all nve/sphere disc" +
+        fluid("face ylo wall face yhi wall 2e-3 0 0") + "\nfix flat all enforce2d" + run(80);
+  });
+}
+
+TEST_F(FluidRanks, NoGrains)
+{
+  compare([&](const std::string &brick) {
+    return box({9, 7, 8}, "p p f", brick) +
+        fluid("face zlo velocity 1e-4 0 1e-3 face zhi pressure 0 accel 1e-3 0 0") + run(50);
+  });
+}
+
+// grains that appear and vanish while the others' sub-domains look on
+TEST_F(FluidRanks, GrainsComeAndGo)
+{
+  compare([&](const std::string &brick) {
+    return box({16, 14, 15}, "p p p", brick) + fluid("accel 1e-3 0 0") + run(5) +
+        grain(1, {12.3, 3.1, 11.2}, 3.3) + grain(2, {15.9, 10.2, 0.1}, 2.6) +
+        "\nfix m all move linear 2e-3 1e-3 0" + run(20) +
+        "\ngroup gone id 1\ndelete_atoms group gone" + " compress no" + run(20);
+  });
+}
+
+/* ---- what all ranks refuse together ---- */
+
+TEST_F(FluidRanks, StopsSayTheSameOnAllRanks)
+{
+  script(box({16, 14, 15}) + grain(1, {4.3, 3.1, 11.2}, 3.3) + fluid("accel 0.4 0 0 check 5") +
+         frozen());
+  const std::string message = error_of(run(200));
+  EXPECT_IN(message, "stopped at step");
+  EXPECT_NOT_IN(message, "on proc");
+  char first[2000];
+  snprintf(first, sizeof(first), "%s", message.c_str());
+  MPI_Bcast(first, sizeof(first), MPI_CHAR, 0, MPI_COMM_WORLD);
+  EXPECT_EQ(message, std::string(first));
+}
+
+TEST_F(FluidRanks, MoreRanksThanNodes)
+{
+  int nprocs;
+  MPI_Comm_size(MPI_COMM_WORLD, &nprocs);
+  if (nprocs < 4) return;
+  EXPECT_ERROR(box({3, 8, 8}, "p p p", "processors 4 1 1") + fluid() + run(0),
+               "4 x 1 x 1 ranks are too many for 3 x 8 x 8 lattice nodes: each needs at least one");
+}
+
+TEST_F(FluidRanks, BalancedBeforeTheFirstRunOnly)
+{
+  int nprocs;
+  MPI_Comm_size(MPI_COMM_WORLD, &nprocs);
+  if (nprocs < 2) return;
+  const std::string cut = "balance 1.0 x " + std::string(nprocs == 2 ? "0.3" : "0.2 0.4 0.6");
+  const std::string scene =
+      box({20, 12, 12}, "p p p", "processors " + std::to_string(nprocs) + " 1 1") +
+      grain(1, {6, 6, 6}, 3.6) + fluid("accel 1e-3 0 0") + frozen();
+  script(scene + "\n" + cut + run(20));
+  const double flux = out(9);
+  EXPECT_EQ(out(12), all_nodes() - covered({6, 6, 6}, 3.6));
+  EXPECT_ERROR("balance 1.0 x " + std::string(nprocs == 2 ? "0.6" : "0.3 0.5 0.7"),
+               "the fluid cannot follow new sub-domains once it has moved");
+  start();
+  script(scene + run(20));
+  EXPECT_NEAR(out(9), flux, 1e-12 * flux);
+}
