@@ -88,15 +88,17 @@ namespace {
       const auto seen_from = [&](uint64_t b, int sense) {    // bits of the nodes sense * e further
         return sense * e[0] > 0 ? b >> 1 : (e[0] == 0 ? b : b << 1);
       };
-      for (int z = lo[2]; z <= hi[2]; z++)
-        for (int y = lo[1]; y <= hi[1]; y++) {
-          uint64_t found =
-              window & bits(y, z).negative & seen_from(bits(y + e[1], z + e[2]).equal, 1);
+      for (int z = lo[2]; z <= hi[2]; z++) {
+        const Bits *here = &bits(lo[1], z), *ahead = &bits(lo[1] + e[1], z + e[2]),
+                   *behind = &bits(lo[1] - e[1], z - e[2]);
+        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++) {
+          const uint64_t found = window & here->negative & seen_from(ahead->equal, 1);
           if (!found) continue;
-          const uint64_t free = seen_from(bits(y - e[1], z - e[2]).negative, -1);
+          const uint64_t free = seen_from(behind->negative, -1);
           if (i <= L::P) add_gaps(i, found & ~free, y, z);
           add_links(i, found & free, y, z);
         }
+      }
       if (links.size == begin) return;
       set_fractions(i, begin);
       links.groups.push_back({int32_t(s), int32_t(i), begin, links.size});
