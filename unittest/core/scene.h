@@ -58,8 +58,11 @@ inline Images images(const std::vector<lbm::Sphere> &list, const lbm::Settings &
   Images all;
   Int3 reach{};
   for (int d = 0; d < settings.dimension; d++)
-    if (periodic(settings)[d]) reach[d] = 3;
-  for (std::size_t s = 0; s < list.size(); s++)
+    if (periodic(settings)[d]) reach[d] = 2;
+  for (std::size_t s = 0; s < list.size(); s++) {
+    Int3 home{};    // the period the grain has drifted to
+    for (int d = 0; d < settings.dimension; d++)
+      if (periodic(settings)[d]) home[d] = int(std::floor(list[s].centre[d] / global[d]));
     for (int z = -reach[2]; z <= reach[2]; z++)
       for (int y = -reach[1]; y <= reach[1]; y++)
         for (int x = -reach[0]; x <= reach[0]; x++) {
@@ -67,7 +70,7 @@ inline Images images(const std::vector<lbm::Sphere> &list, const lbm::Settings &
           lbm::Sphere image = list[s];
           bool here = true;
           for (int d = 0; d < settings.dimension; d++) {
-            image.centre[d] += double(shift[d]) * global[d];
+            image.centre[d] += double(shift[d] - home[d]) * global[d];
             here = here && image.centre[d] + image.radius > lo[d] - 1 &&
                 image.centre[d] - image.radius < lo[d] + n[d] + 1;
           }
@@ -75,6 +78,7 @@ inline Images images(const std::vector<lbm::Sphere> &list, const lbm::Settings &
           all.spheres.push_back(image);
           all.grain.push_back(s);
         }
+  }
   return all;
 }
 
