@@ -2,6 +2,8 @@
 // Speed of the solver core's parts: the memory's limit for in-place streaming, the sweep with each
 // of its policies, and whole steps of a dense bed. "nodes" and "links" are rates per second.
 
+#include "lbm_bounce_back.h"
+#include "lbm_exchange.h"
 #include "lbm_link.h"
 #include "lbm_solver.h"
 #include "lbm_sweep.h"
@@ -164,7 +166,29 @@ void bed(benchmark::State &state, bool moving)
 BENCHMARK_CAPTURE(bed, fixed, false)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(bed, moving, true)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
-// the link pass alone, lists ready, and finding the links
+// the link pass alone, lists ready; the rate of links is the inverse of the time per link
+template <class Rule, bool moving> void link_pass(benchmark::State &state)
+{
+  const Bed bed(5.0);
+  const Layout at({0, 0, 0}, {bed.n, bed.n, bed.n}, 3);
+  const Block<D3Q19> block(at);
+  Cover cover(at, 3, Cover::Sides{});
+  cover.place(bed.spheres(0.0, moving ? 0.01 : 0.0));
+  Links links;
+  for (std::size_t s = 0; s < cover.spheres().size(); s++) find_links<D3Q19>(at, cover, s, links);
+  const std::vector<float> drho(at.size);
+  std::vector<Load> loads(cover.spheres().size());
+  for (auto _ : state)
+    bounce_back<D3Q19, Rule, moving>(at, block.slots(), cover, links, drho.data(), loads);
+  state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size()),
+                                               benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK_TEMPLATE(link_pass, Halfway, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(link_pass, Bouzidi, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(link_pass, Cli, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(link_pass, Bouzidi, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(link_pass, Cli, true)->Unit(benchmark::kMillisecond);
+
 void find_all_links(benchmark::State &state)
 {
   const Bed bed(5.0);
