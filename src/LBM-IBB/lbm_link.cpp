@@ -10,6 +10,7 @@ void Links::clear()
 {
   groups.clear();
   gaps.clear();
+  hidden.clear();
   size = at_open_faces = 0;
 }
 
@@ -17,7 +18,7 @@ double Links::bytes() const
 {
   return double(node.capacity() * sizeof(uint32_t) + q.capacity() * sizeof(double) +
                 3 * arm[0].capacity() * sizeof(int16_t) + gaps.capacity() * sizeof(Gap) +
-                groups.capacity() * sizeof(LinkGroup));
+                groups.capacity() * sizeof(LinkGroup) + hidden.capacity() * sizeof(Hidden));
 }
 
 namespace {
@@ -27,7 +28,7 @@ namespace {
    public:
     Finder(const Layout &at, const Cover &cover, std::size_t s, Links &links) :
         at(at), cover(cover), s(s), rows(cover.rows(s)), owner(cover.owner()), c(cover.centre(s)),
-        origin(anchor(c)), links(links)
+        origin(anchor(c)), links(links), first_hidden(links.hidden.size())
     {
     }
 
@@ -67,6 +68,7 @@ namespace {
     const Vec3 c;
     const Int3 origin;
     Links &links;
+    const std::size_t first_hidden;
     int i = 0;
     Index shift = 0;
 
@@ -83,7 +85,11 @@ namespace {
       }
       Index n = at.index(a, y, z);
       for (int x = a; x <= b; x++, n++) {
-        if (owner[n] >= 0 || owner[n + shift] != int32_t(s)) continue;
+        if (owner[n + shift] != int32_t(s)) continue;
+        if (owner[n] >= 0) {
+          hide(owner[n], x, y, z);
+          continue;
+        }
         const int32_t behind = owner[n - shift];
         if (behind >= 0) {
           if (i <= L::P) add_gap(n, x, y, z, behind);
@@ -95,6 +101,23 @@ namespace {
         links.arm[2][links.size] = int16_t(z - origin[2]);
         if (behind == OUTSIDE) open_face.push_back(links.size);
         links.size++;
+      }
+    }
+
+    void hide(int32_t t, int x, int y, int z)
+    {
+      auto h = std::find_if(links.hidden.begin() + first_hidden, links.hidden.end(),
+                            [&](const Hidden &other) {
+                              return other.t == t;
+                            });
+      if (h == links.hidden.end()) h = links.hidden.insert(h, {int32_t(s), t});
+      const int(&e)[3] = L::e[i];
+      const double w = L::w[i];
+      const Vec3 we{w * e[0], w * e[1], w * e[2]};
+      const Vec3 wxe = cross({x + 0.5 * e[0], y + 0.5 * e[1], z + 0.5 * e[2]}, we);
+      for (int d = 0; d < 3; d++) {
+        h->we[d] += we[d];
+        h->wxe[d] += wxe[d];
       }
     }
 
@@ -115,16 +138,17 @@ namespace {
     void add_gap(Index n, int x, int y, int z, int32_t behind)
     {
       const Vec3 b = cover.centre(behind);
-      links.gaps.push_back(
-          {uint32_t(n), int32_t(i), int32_t(s), behind,
-           cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),
-           cut({x - b[0], y - b[1], z - b[2]}, L::e[opposite<L>(i)], cover.spheres()[behind].radius)});
+      links.gaps.push_back({uint32_t(n), int32_t(i), int32_t(s), behind,
+                            cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),
+                            cut({x - b[0], y - b[1], z - b[2]}, L::e[opposite<L>(i)],
+                                cover.spheres()[behind].radius)});
     }
   };
 
 }    // namespace
 
-template <class L> void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links)
+template <class L>
+void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links)
 {
   Finder<L> finder(at, cover, s, links);
   for (int i = 1; i < L::Q; i++) finder.along(i);

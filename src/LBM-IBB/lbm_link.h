@@ -20,8 +20,8 @@ constexpr double Q_MIN = 1e-6;
 
 struct LinkGroup {
   int32_t sphere;
-  int32_t direction;          // i, from fluid to solid
-  std::size_t begin, end;     // in the arrays of Links
+  int32_t direction;         // i, from fluid to solid
+  std::size_t begin, end;    // in the arrays of Links
 };
 
 // the pair of links of one node along i = 1..P and its opposite
@@ -32,13 +32,22 @@ struct Gap {
   double q_ahead, q_behind;
 };
 
+// Links between the nodes of two spheres that touch, or nearly: no fluid is there to press the two
+// apart. Sums over such links from nodes of t to nodes of s; w weighs them as populations do.
+struct Hidden {
+  int32_t s, t;
+  Vec3 we{},
+      wxe{};    // of w e, and of w x times e with x the middle of the link, block coordinates
+};
+
 struct Links {
   std::vector<LinkGroup> groups;
-  std::vector<uint32_t> node;                 // x_f, index in the block
+  std::vector<uint32_t> node;    // x_f, index in the block
   std::vector<double> q;
-  std::vector<int16_t> arm[3];                // x_f - anchor(sphere)
-  std::size_t size = 0;                       // entries in use of the arrays above
+  std::vector<int16_t> arm[3];    // x_f - anchor(sphere)
+  std::size_t size = 0;           // entries in use of the arrays above
   std::vector<Gap> gaps;
+  std::vector<Hidden> hidden;
   std::size_t at_open_faces = 0;
 
   void clear();
@@ -61,7 +70,8 @@ inline double cut(const Vec3 &d, const int (&e)[3], double radius)
 }
 
 // append the links of sphere s
-template <class L> void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links);
+template <class L>
+void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links);
 
 }    // namespace lbm
 #endif

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <random>
 #include <vector>
@@ -101,7 +102,9 @@ class Box {
 
   void follow(const std::vector<lbm::Sphere> &list)
   {
-    now = images(list, settings, {0, 0, 0}, n, n);
+    grains = list;
+    for (lbm::Sphere &grain : grains) grain.drho = drho[grain.id];
+    now = images(grains, settings, {0, 0, 0}, n, n);
     fluid->follow(now.spheres);
     loads.assign(list.size(), {});
   }
@@ -115,6 +118,11 @@ class Box {
         loads[now.grain[k]].force[d] += parts[k].force[d];
         loads[now.grain[k]].torque[d] += parts[k].torque[d];
       }
+    for (std::size_t k = 0; k < parts.size(); k++) {
+      loads[now.grain[k]].pressing += parts[k].pressing;
+      loads[now.grain[k]].area += parts[k].area;
+    }
+    for (std::size_t s = 0; s < grains.size(); s++) drho[grains[s].id] = loads[s].drho();
   }
   void step(const std::vector<lbm::Sphere> &list)
   {
@@ -137,7 +145,9 @@ class Box {
   }
 
  private:
+  std::vector<lbm::Sphere> grains;
   Images now;
+  std::map<std::int64_t, double> drho;    // around each grain, of the last step
 };
 
 // a smooth flow that is nowhere trivial; repeats after n nodes
