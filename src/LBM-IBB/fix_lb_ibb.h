@@ -73,9 +73,13 @@ class FixLbIbb : public Fix {
   bigint fluid_steps, steps_at_run_start, last_step;
   double wall_start, fluid_time, grain_time;    // seconds of wall time, the latter two in this run
 
-  // columns of array_atom; the first six are seen by the user
-  enum { FORCE = 0, TORQUE = 3, LAST = 6, PLACE = 12, AGE = 15, COLUMNS = 16 };
-  double **ghosted;    // by local and ghost atom: place, velocity, spin out; force, torque back
+  // columns of array_atom; the first six are seen by the user. LAST: of the last fluid step alone;
+  // PLACE: where the grain was then; AGE: fluid steps seen; EXCESS: mean density excess around it
+  enum { FORCE = 0, TORQUE = 3, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, COLUMNS = 17 };
+  // by local and ghost atom; out go place, velocity, spin and EXCESS, back come force, torque, and
+  // the two sums whose ratio is the density excess
+  enum { OUT = 10, BACK = 8 };
+  double **ghosted;
   int nghosted;
   std::vector<int> sphere_atom;    // atom behind each sphere handed in
   std::vector<lbm::Sphere> spheres;
