@@ -51,6 +51,7 @@ struct Links {
   std::size_t at_open_faces = 0;
 
   void clear();
+  void trim();    // give back what is allocated and not in use
   double bytes() const;
 };
 
