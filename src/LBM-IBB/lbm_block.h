@@ -33,8 +33,8 @@ using Vec3 = std::array<double, 3>;
 
 // Where nodes lie in memory; shared by populations and by maps of the same box
 struct Layout {
-  Int3 lo, n;            // first owned node of the whole lattice, owned nodes along x, y, z
-  Int3 ghost;            // layers of ghost nodes: 1, along z 0 in two dimensions
+  Int3 lo, n;    // first owned node of the whole lattice, owned nodes along x, y, z
+  Int3 ghost;    // layers of ghost nodes: 1, along z 0 in two dimensions
   Index stride_y, stride_z, origin, size;
 
   Layout() = default;

@@ -34,10 +34,10 @@ struct Bouzidi {
     const V half = 0.5 + 0.0 * q, one = 1.0 + 0.0 * q, zero = 0.0 * q;
     const V near = q < half ? half : q;    // so that no lane divides by zero
     const V r = 0.5 / near;
-    return {q < half ? 2.0 * q : r,                // q < 1/2: 2q; q >= 1/2: 1/(2q)
-            q < half ? one - 2.0 * q : zero,       //          1 - 2q
-            q < half ? zero : one - r,             //                       (2q - 1)/(2q)
-            q < half ? 2.0 * one : 2.0 * r};       //          2;           1/q
+    return {q < half ? 2.0 * q : r,             // q < 1/2: 2q; q >= 1/2: 1/(2q)
+            q < half ? one - 2.0 * q : zero,    //          1 - 2q
+            q < half ? zero : one - r,          //                       (2q - 1)/(2q)
+            q < half ? 2.0 * one : 2.0 * r};    //          2;           1/q
   }
 };
 

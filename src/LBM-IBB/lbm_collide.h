@@ -44,7 +44,10 @@ template <class L> struct Trt {
   double even, odd;    // relaxation rates 1/tau+ and 1/tau-
 
   static Trt bgk(double tau) { return {1.0 / tau, 1.0 / tau}; }
-  static Trt trt(double tau, double magic) { return {1.0 / tau, 1.0 / (0.5 + magic / (tau - 0.5))}; }
+  static Trt trt(double tau, double magic)
+  {
+    return {1.0 / tau, 1.0 / (0.5 + magic / (tau - 0.5))};
+  }
 
   template <class V, class Force>
   LBM_INLINE inline V operator()(V (&f)[L::Q], const Force &force) const
@@ -86,7 +89,8 @@ template <class L> struct Trt {
       V de = even * (even_eq - 0.5 * (f[i] + f[o]));
       V dod = odd * (odd_eq - 0.5 * (f[i] - f[o]));
       if constexpr (Force::present) {
-        const double eF = L::e[i][0] * force.F[0] + L::e[i][1] * force.F[1] + L::e[i][2] * force.F[2];
+        const double eF =
+            L::e[i][0] * force.F[0] + L::e[i][1] * force.F[1] + L::e[i][2] * force.F[2];
         de = de + (Fe * L::w[i]) * (9.0 * eF * eu - 3.0 * uF);
         dod = dod + Fo * L::w[i] * 3.0 * eF;
       }

@@ -7,7 +7,7 @@
 namespace lbm {
 
 Cover::Cover(const Layout &layout, int dimension, const Sides &sides) :
-    at_(layout), dimension_(dimension), map_(layout.size, FLUID)
+    at_(layout), dimension_(dimension), map_(layout.size + 64, FLUID), open_(false)
 {
   for (int d = 0; d < 3; d++) {
     lo_[d] = sides[d][0] == NEIGHBOUR ? -at_.ghost[d] : 0;
@@ -16,21 +16,16 @@ Cover::Cover(const Layout &layout, int dimension, const Sides &sides) :
   // ghosts behind an open face; where a wall meets it the wall wins
   auto behind = [&](const Int3 &p, Side side) {
     for (int d = 0; d < 3; d++)
-      if ((p[d] < 0 && sides[d][0] == side) || (p[d] >= at_.n[d] && sides[d][1] == side)) return true;
+      if ((p[d] < 0 && sides[d][0] == side) || (p[d] >= at_.n[d] && sides[d][1] == side))
+        return true;
     return false;
   };
   for (Index i = 0; i < at_.size; i++) {
     const Int3 p = at_.node(i);
-    if (behind(p, OPEN) && !behind(p, WALL)) map_[i] = OUTSIDE;
+    if (!behind(p, OPEN) || behind(p, WALL)) continue;
+    map_[i] = OUTSIDE;
+    open_ = true;
   }
-}
-
-Vec3 Cover::centre(std::size_t s) const
-{
-  Vec3 c;
-  for (int d = 0; d < 3; d++) c[d] = spheres_[s].centre[d] - 0.5 - at_.lo[d];
-  if (dimension_ == 2) c[2] = 0.0;
-  return c;
 }
 
 // runs of all rows of the sphere: the estimate by square root is corrected by the exact test that
@@ -58,7 +53,9 @@ void Cover::find_rows(const Sphere &sphere, const Vec3 &c)
       Run run{1, 0};
       if (rest < rsq) {
         const double half = std::sqrt(rsq - rest);
-        auto inside = [&](int x) { return (x - c[0]) * (x - c[0]) + rest < rsq; };
+        auto inside = [&](int x) {
+          return (x - c[0]) * (x - c[0]) + rest < rsq;
+        };
         run.xa = int(std::ceil(c[0] - half));
         run.xb = int(std::floor(c[0] + half));
         if (inside(run.xa - 1)) run.xa--;
@@ -119,6 +116,13 @@ void Cover::place(const std::vector<Sphere> &list)
   spheres_ = list;
   rows_.clear();
   runs_.clear();
+  centres_.clear();
+  for (const Sphere &s : spheres_) {
+    Vec3 c;
+    for (int d = 0; d < 3; d++) c[d] = s.centre[d] - 0.5 - at_.lo[d];
+    if (dimension_ == 2) c[2] = 0.0;
+    centres_.push_back(c);
+  }
   for (std::size_t s = 0; s < spheres_.size(); s++) {
     find_rows(spheres_[s], centre(s));
     fill(s);

@@ -57,7 +57,8 @@ class Cover {
   // index of the covering sphere in spheres(), FLUID or OUTSIDE, by node
   const int32_t *owner() const { return map_.data(); }
   // centre of sphere s in the coordinates of the block, where node (0, 0, 0) is the origin
-  Vec3 centre(std::size_t s) const;
+  const Vec3 &centre(std::size_t s) const { return centres_[s]; }
+  bool has_open_faces() const { return open_; }
   double bytes() const;
 
  private:
@@ -65,9 +66,11 @@ class Cover {
   int dimension_;
   Int3 lo_, hi_;    // nodes that may be covered: owned ones and ghosts with a neighbour behind
   std::vector<Sphere> spheres_;
+  std::vector<Vec3> centres_;
   std::vector<Rows> rows_;
   std::vector<Run> runs_;
-  std::vector<int32_t> map_;
+  std::vector<int32_t> map_;    // 64 more than nodes: rows are read in pieces of 64
+  bool open_;                   // is any ghost behind an open face?
 
   void find_rows(const Sphere &sphere, const Vec3 &c);
   void clear();

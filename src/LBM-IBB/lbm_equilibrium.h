@@ -31,8 +31,7 @@ inline Vec3 cross(const Vec3 &a, const Vec3 &b)
 template <class L> double equilibrium(int i, const Moments &m)
 {
   const double eu = dot(L::e[i], m.u);
-  return L::w[i] *
-      (m.drho + (1.0 + m.drho) * (3.0 * eu + 4.5 * eu * eu - 1.5 * dot(m.u, m.u)));
+  return L::w[i] * (m.drho + (1.0 + m.drho) * (3.0 * eu + 4.5 * eu * eu - 1.5 * dot(m.u, m.u)));
 }
 
 // moments of the populations that arrive at node n (eq. 12; half-force correction after Guo et al.

@@ -127,14 +127,13 @@ namespace {
     if (room < GAP_MIN)
       for (double &k : q) k *= GAP_MIN / room;
 
-    const Int3 x = at.node(n);
     const int32_t owner[2] = {gap.ahead, gap.behind};
     double known[2], c2[2], back[2], arm[2][3];
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       const Sphere &sphere = cover.spheres()[owner[k]];
-      const Vec3 centre = cover.centre(owner[k]);
-      for (int d = 0; d < 3; d++) arm[k][d] = x[d] - centre[d] + q[k] * e[d];
+      const Vec3 &centre = cover.centre(owner[k]);
+      for (int d = 0; d < 3; d++) arm[k][d] = gap.p[d] - centre[d] + q[k] * e[d];
       const Coefficients<double> c = Rule::at(q[k]);
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;

@@ -16,13 +16,13 @@ Halo<L>::Halo(const Layout &layout, Neighbours &neighbours) : at_(layout), neigh
 {
   std::size_t most = 0;
   for (int d = 0; d < L::D; d++)
-    most = std::max(most, for_each_crossing(d, 0, true, [](int, const Box &) {}));
+    most = std::max(most, for_each_crossing(d, 0, true, [](int, const Box &) {
+                    }));
   send_.resize(most);
   receive_.resize(most);
 }
 
-template <class L>
-typename Halo<L>::Box Halo<L>::region(int k, int d, int side, bool ghosts) const
+template <class L> typename Halo<L>::Box Halo<L>::region(int k, int d, int side, bool ghosts) const
 {
   Box box{{0, 0, 0}, {at_.n[0] - 1, at_.n[1] - 1, at_.n[2] - 1}};
   // directions already done: the values wanted have moved along them
@@ -59,10 +59,11 @@ template <class L> void Halo<L>::along(const Block<L> &block, int d, int side, b
       for (int z = box.lo[2]; z <= box.hi[2]; z++)
         for (int y = box.lo[1]; y <= box.hi[1]; y++, buffer += length) {
           double *row = array + at_.index(box.lo[0], y, z);
-          if (pack)
-            std::copy_n(row, length, buffer);
+          double *from = pack ? row : buffer, *to = pack ? buffer : row;
+          if (length == 1)    // faces along x: no call for a single number
+            *to = *from;
           else
-            std::copy_n(buffer, length, row);
+            std::copy_n(from, length, to);
         }
     });
   };
@@ -86,7 +87,8 @@ template <class L> double Halo<L>::bytes_per_step() const
   for (int d = 0; d < L::D; d++)
     for (int side = 0; side < 2; side++)
       if (neighbours_.exists(d, side))
-        n += double(for_each_crossing(d, side, true, [](int, const Box &) {}));
+        n += double(for_each_crossing(d, side, true, [](int, const Box &) {
+        }));
   return n * sizeof(double);
 }
 

@@ -35,125 +35,165 @@ double Links::bytes() const
 
 namespace {
 
-  // the links of one sphere along one direction
+  // The links of one sphere. Rows of nodes around it are turned into bits, one per node, 64 nodes at
+  // a time: the links of a row along one direction are then three shifts and as many ands.
   template <class L> class Finder {
    public:
     Finder(const Layout &at, const Cover &cover, std::size_t s, Links &links) :
-        at(at), cover(cover), s(s), rows(cover.rows(s)), owner(cover.owner()), c(cover.centre(s)),
-        origin(anchor(c)), links(links), first_hidden(links.hidden.size())
+        at(at), cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)), origin(anchor(c)),
+        open_faces(cover.has_open_faces()), links(links), first_hidden(links.hidden.size())
     {
+      const double reach = cover.spheres()[s].radius + 1.0;
+      for (int d = 0; d < 3; d++) {    // fluid nodes that can have a link
+        lo[d] = std::max(int(std::ceil(c[d] - reach)), 0);
+        hi[d] = std::min(int(std::floor(c[d] + reach)), at.n[d] - 1);
+      }
     }
 
-    void along(int direction)
+    void find()
     {
-      i = direction;
-      const int(&e)[3] = L::e[i];
-      shift = at.offset(e);
-      const std::size_t begin = links.size;
-      for (int z = std::max(rows.z0, e[2]); z <= std::min(rows.z1, at.n[2] - 1 + e[2]); z++)
-        for (int y = std::max(rows.y0, e[1]); y <= std::min(rows.y1, at.n[1] - 1 + e[1]); y++) {
-          const Run solid = cover.run(rows, y, z);
-          if (solid.xa > solid.xb) continue;
-          // fluid nodes of the row the links come from: candidates not under the same sphere
-          const int yf = y - e[1], zf = z - e[2];
-          Run shadow{1, 0};
-          if (rows.contains(yf, zf)) shadow = cover.run(rows, yf, zf);
-          const int a = solid.xa - e[0], b = solid.xb - e[0];
-          if (shadow.xa > shadow.xb) {
-            candidates(a, b, yf, zf);
-          } else {
-            candidates(a, std::min(b, shadow.xa - 1), yf, zf);
-            candidates(std::max(a, shadow.xb + 1), b, yf, zf);
-          }
+      if (lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]) return;
+      // bit 0 and bit 63 are neighbours of nodes looked at only
+      for (x0 = lo[0] - 1; x0 < hi[0]; x0 += 62) {
+        read_bits();
+        for (int i = 1; i <= L::P; i++) {    // opposite directions use the same two arrays
+          along(i);
+          along(i + L::P);
         }
-      if (links.size == begin) return;
-      set_fractions(begin);
-      links.groups.push_back({int32_t(s), int32_t(i), begin, links.size});
+      }
     }
 
    private:
     const Layout &at;
     const Cover &cover;
     const std::size_t s;
-    const Rows rows;
     const int32_t *owner;
     const Vec3 c;
     const Int3 origin;
+    const bool open_faces;
     Links &links;
     const std::size_t first_hidden;
-    int i = 0;
-    Index shift = 0;
+    Int3 lo, hi;
+    int x0 = 0;    // node of bit 0
+    std::vector<std::size_t> at_open_face;
 
-    void candidates(int a, int b, int y, int z)
+    // rows from one below lo to one above hi
+    Bits &bits(int y, int z)
     {
-      a = std::max(a, 0);
-      b = std::min(b, at.n[0] - 1);
-      if (a > b) return;
-      if (links.node.size() < links.size + (b - a + 1)) {
-        const std::size_t room = std::max<std::size_t>(2 * links.node.size(), 1024 + b - a);
-        links.node.resize(room);
-        for (auto &component : links.arm) component.resize(room);
-        links.q.resize(room);
+      return links.bits[(y - lo[1] + 1) + std::size_t(z - lo[2] + 1) * (hi[1] - lo[1] + 3)];
+    }
+
+    void read_bits()
+    {
+      links.bits.resize(std::size_t(hi[1] - lo[1] + 3) * (hi[2] - lo[2] + 3));
+      const int gz = L::D == 3 ? 1 : 0;
+      for (int z = lo[2] - gz; z <= hi[2] + gz; z++)
+        for (int y = lo[1] - 1; y <= hi[1] + 1; y++)
+          bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s));
+    }
+
+    void along(int i)
+    {
+      const int(&e)[3] = L::e[i];
+      const std::size_t begin = links.size;
+      // owned nodes of this window that may have links
+      const int last = std::min(hi[0] - x0, 62);
+      const uint64_t window = (~uint64_t(0) >> (63 - last)) & ~uint64_t(1);
+      const auto seen_from = [&](uint64_t b, int sense) {    // bits of the nodes sense * e further
+        return sense * e[0] > 0 ? b >> 1 : (e[0] == 0 ? b : b << 1);
+      };
+      for (int z = lo[2]; z <= hi[2]; z++) {
+        const Bits *here = &bits(lo[1], z), *ahead = &bits(lo[1] + e[1], z + e[2]),
+                   *behind = &bits(lo[1] - e[1], z - e[2]);
+        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++) {
+          const uint64_t found = window & ~here->equal & seen_from(ahead->equal, 1);
+          if (!found) continue;
+          const uint64_t fluid = found & here->negative;
+          if (fluid != found) hide(i, found & ~fluid, y, z);
+          const uint64_t free = seen_from(behind->negative, -1);
+          if (i <= L::P) add_gaps(i, fluid & ~free, y, z);
+          add_links(i, fluid & free, y, z);
+        }
       }
-      Index n = at.index(a, y, z);
-      for (int x = a; x <= b; x++, n++) {
-        if (owner[n + shift] != int32_t(s)) continue;
-        if (owner[n] >= 0) {
-          hide(owner[n], x, y, z);
-          continue;
-        }
-        const int32_t behind = owner[n - shift];
-        if (behind >= 0) {
-          if (i <= L::P) add_gap(n, x, y, z, behind);
-          continue;
-        }
-        links.node[links.size] = uint32_t(n);
-        links.arm[0][links.size] = int16_t(x - origin[0]);
+      if (links.size == begin) return;
+      set_fractions(i, begin);
+      links.groups.push_back({int32_t(s), int32_t(i), begin, links.size});
+    }
+
+    void add_links(int i, uint64_t found, int y, int z)
+    {
+      const std::size_t most = links.size + 64;
+      if (links.node.size() < most) {
+        const std::size_t room = std::max<std::size_t>(2 * most, 1024);
+        links.node.resize(room);
+        links.q.resize(room);
+        for (auto &component : links.arm) component.resize(room);
+      }
+      const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
+      for (; found; found &= found - 1) {
+        const int k = __builtin_ctzll(found);
+        if (open_faces && owner[row + k + back] == OUTSIDE) at_open_face.push_back(links.size);
+        links.node[links.size] = uint32_t(row + k);
+        links.arm[0][links.size] = int16_t(x0 + k - origin[0]);
         links.arm[1][links.size] = int16_t(y - origin[1]);
         links.arm[2][links.size] = int16_t(z - origin[2]);
-        if (behind == OUTSIDE) open_face.push_back(links.size);
         links.size++;
       }
     }
 
-    void hide(int32_t t, int x, int y, int z)
-    {
-      auto h = std::find_if(links.hidden.begin() + first_hidden, links.hidden.end(),
-                            [&](const Hidden &other) {
-                              return other.t == t;
-                            });
-      if (h == links.hidden.end()) h = links.hidden.insert(h, {int32_t(s), t});
-      const int(&e)[3] = L::e[i];
-      const double w = L::w[i];
-      const Vec3 we{w * e[0], w * e[1], w * e[2]};
-      const Vec3 wxe = cross({x + 0.5 * e[0], y + 0.5 * e[1], z + 0.5 * e[2]}, we);
-      for (int d = 0; d < 3; d++) {
-        h->we[d] += we[d];
-        h->wxe[d] += wxe[d];
-      }
-    }
-
-    std::vector<std::size_t> open_face;
-
-    void set_fractions(std::size_t begin)
+    void set_fractions(int i, std::size_t begin)
     {
       const double r = cover.spheres()[s].radius;
       const Vec3 f{origin[0] - c[0], origin[1] - c[1], origin[2] - c[2]};
+      const int16_t *x = links.arm[0].data(), *y = links.arm[1].data(), *z = links.arm[2].data();
+      double *q = links.q.data();
+      const int(&e)[3] = L::e[i];
+#pragma GCC ivdep
       for (std::size_t k = begin; k < links.size; k++)
-        links.q[k] = cut({links.arm[0][k] + f[0], links.arm[1][k] + f[1], links.arm[2][k] + f[2]},
-                         L::e[i], r);
-      for (std::size_t k : open_face) links.q[k] = 0.5;
-      links.at_open_faces += open_face.size();
-      open_face.clear();
+        q[k] = cut({x[k] + f[0], y[k] + f[1], z[k] + f[2]}, e, r);
+      for (std::size_t k : at_open_face) q[k] = 0.5;
+      links.at_open_faces += at_open_face.size();
+      at_open_face.clear();
     }
 
-    void add_gap(Index n, int x, int y, int z, int32_t behind)
+    // links from nodes of another sphere
+    void hide(int i, uint64_t found, int y, int z)
     {
-      const Vec3 b = cover.centre(behind);
-      links.gaps.push_back({uint32_t(n), int32_t(i), int32_t(s), behind,
-                            cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),
-                            cut({x - b[0], y - b[1], z - b[2]}, L::e[opposite<L>(i)],
-                                cover.spheres()[behind].radius)});
+      const int(&e)[3] = L::e[i];
+      const double w = L::w[i];
+      const Vec3 we{w * e[0], w * e[1], w * e[2]};
+      const Index row = at.index(x0, y, z);
+      for (; found; found &= found - 1) {
+        const int k = __builtin_ctzll(found);
+        const int32_t t = owner[row + k];
+        auto h = links.hidden.begin() + first_hidden;
+        while (h != links.hidden.end() && h->t != t) ++h;
+        if (h == links.hidden.end()) h = links.hidden.insert(h, {int32_t(s), t});
+        const Vec3 wxe = cross({x0 + k + 0.5 * e[0], y + 0.5 * e[1], z + 0.5 * e[2]}, we);
+        for (int d = 0; d < 3; d++) {
+          h->we[d] += we[d];
+          h->wxe[d] += wxe[d];
+        }
+      }
+    }
+
+    void add_gaps(int i, uint64_t found, int y, int z)
+    {
+      const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
+      for (; found; found &= found - 1) {
+        const int k = __builtin_ctzll(found), x = x0 + k;
+        const int32_t behind = owner[row + k + back];
+        const Vec3 b = cover.centre(behind);
+        links.gaps.push_back(
+            {uint32_t(row + k),
+             {x, y, z},
+             int32_t(i),
+             int32_t(s),
+             behind,
+             cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),
+             cut({x - b[0], y - b[1], z - b[2]}, L::e[opposite<L>(i)],
+                 cover.spheres()[behind].radius)});
+      }
     }
   };
 
@@ -162,8 +202,7 @@ namespace {
 template <class L>
 void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links)
 {
-  Finder<L> finder(at, cover, s, links);
-  for (int i = 1; i < L::Q; i++) finder.along(i);
+  Finder<L>(at, cover, s, links).find();
 }
 
 template void find_links<D3Q19>(const Layout &, const Cover &, std::size_t, Links &);

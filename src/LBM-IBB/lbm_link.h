@@ -12,6 +12,7 @@
 #define LBM_LINK_H
 
 #include "lbm_cover.h"
+#include "lbm_simd.h"
 
 namespace lbm {
 
@@ -27,6 +28,7 @@ struct LinkGroup {
 // the pair of links of one node along i = 1..P and its opposite
 struct Gap {
   uint32_t node;
+  Int3 p;    // the node, in the coordinates of the block
   int32_t direction;
   int32_t ahead, behind;    // spheres that cover x_f + e_i and x_f - e_i
   double q_ahead, q_behind;
@@ -49,6 +51,7 @@ struct Links {
   std::vector<Gap> gaps;
   std::vector<Hidden> hidden;
   std::size_t at_open_faces = 0;
+  std::vector<Bits> bits;    // scratch of find_links()
 
   void clear();
   void trim();    // give back what is allocated and not in use
@@ -66,8 +69,9 @@ inline double cut(const Vec3 &d, const int (&e)[3], double radius)
 {
   const double a = e[0] * e[0] + e[1] * e[1] + e[2] * e[2], b = dot(e, d);
   const double c = dot(d, d) - radius * radius;
-  const double q = c / (-b + std::sqrt(std::fmax(b * b - a * c, 0.0)));
-  return std::fmin(std::fmax(q, Q_MIN), 1.0);
+  const double disc = b * b - a * c;
+  const double q = c / (-b + std::sqrt(disc > 0.0 ? disc : 0.0));
+  return q > 1.0 ? 1.0 : (q > Q_MIN ? q : Q_MIN);
 }
 
 // append the links of sphere s

@@ -18,10 +18,10 @@ struct Extreme {
 
 struct Survey {
   double fluid_nodes = 0.0;
-  double mass = 0.0;           // sum of rho
-  Vec3 momentum{};             // sum of rho u
-  Vec3 velocity{};             // sum of u; over all nodes of the box it is the superficial velocity
-  Extreme speed{0.0, {}};      // largest |u|
+  double mass = 0.0;         // sum of rho
+  Vec3 momentum{};           // sum of rho u
+  Vec3 velocity{};           // sum of u; over all nodes of the box it is the superficial velocity
+  Extreme speed{0.0, {}};    // largest |u|
   Extreme drho_min{0.0, {}}, drho_max{0.0, {}};
   // a node that is not a number, or whose density is not positive; nobad means none
   bool bad = false;

@@ -31,7 +31,8 @@ namespace {
 
     Around(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
            const Vec3 &force, Neighbours &neighbours) :
-        at(at), f(f), before(before), now(now), force(force), neighbours(neighbours)
+        at(at),
+        f(f), before(before), now(now), force(force), neighbours(neighbours)
     {
     }
 
@@ -180,8 +181,8 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
       double Pee = 0.0;
       for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) Pee += L::e[i][a] * L::e[i][b] * P[a][b];
-      f[i][nodes[k].n] = bare_equilibrium<L>(i, m, force) +
-          4.5 * L::w[i] * (1.0 + m.drho) * (Pee - trace / 3.0);
+      f[i][nodes[k].n] =
+          bare_equilibrium<L>(i, m, force) + 4.5 * L::w[i] * (1.0 + m.drho) * (Pee - trace / 3.0);
     }
   }
 }

@@ -14,6 +14,10 @@
 #include <type_traits>
 #include <utility>
 
+#if defined(__AVX512F__) || defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
 namespace lbm {
 
 #if defined(__AVX512F__)
@@ -101,6 +105,39 @@ template <int W> LBM_INLINE inline void scatter(double *p, const uint32_t *n, co
     p[*n] = v;
   else
     for (int k = 0; k < W; k++) p[n[k]] = v[k];
+}
+
+// Bits k = 0..63 of p[k] == value (or p[k] < 0). Reads 64 numbers.
+struct Bits {
+  uint64_t equal, negative;
+};
+inline Bits compare(const int32_t *p, int32_t value)
+{
+  Bits bits{0, 0};
+#if defined(__AVX512F__)
+  const __m512i v = _mm512_set1_epi32(value);
+  for (int k = 0; k < 64; k += 16) {
+    const __m512i x = _mm512_loadu_si512(p + k);
+    bits.equal |= uint64_t(_mm512_cmpeq_epi32_mask(x, v)) << k;
+    bits.negative |= uint64_t(_mm512_cmplt_epi32_mask(x, _mm512_setzero_si512())) << k;
+  }
+#elif defined(__AVX2__)
+  const __m256i v = _mm256_set1_epi32(value);
+  for (int k = 0; k < 64; k += 8) {
+    const __m256i x = _mm256_loadu_si256(reinterpret_cast<const __m256i *>(p + k));
+    const auto signs = [](__m256i m) {
+      return uint64_t(uint8_t(_mm256_movemask_ps(_mm256_castsi256_ps(m))));
+    };
+    bits.equal |= signs(_mm256_cmpeq_epi32(x, v)) << k;
+    bits.negative |= signs(x) << k;
+  }
+#else
+  for (int k = 0; k < 64; k++) {
+    bits.equal |= uint64_t(p[k] == value) << k;
+    bits.negative |= uint64_t(p[k] < 0) << k;
+  }
+#endif
+  return bits;
 }
 
 }    // namespace lbm

@@ -16,8 +16,10 @@ namespace {
 
   template <class L> class FluidOn : public Fluid {
    public:
-    FluidOn(const Settings &settings, const Layout &at, const Int3 &global, Neighbours &neighbours) :
-        settings(settings), at(at), block(at), halo(at, neighbours), neighbours(neighbours),
+    FluidOn(const Settings &settings, const Layout &at, const Int3 &global,
+            Neighbours &neighbours) :
+        settings(settings),
+        at(at), block(at), halo(at, neighbours), neighbours(neighbours),
         collide(settings.bgk ? Trt<L>::bgk(settings.tau)
                              : Trt<L>::trt(settings.tau, settings.magic))
     {
@@ -127,7 +129,7 @@ namespace {
       Cover::Sides s;
       for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-          s[d][side] = !at_end[d][side]           ? Cover::NEIGHBOUR
+          s[d][side] = !at_end[d][side]        ? Cover::NEIGHBOUR
               : settings.faces[d][side].open() ? Cover::OPEN
                                                : Cover::WALL;
       return s;
@@ -158,8 +160,8 @@ namespace {
       for (int d = 0; d < L::D; d++)
         for (int side = 0; side < 2; side++)
           if (at_end[d][side] && settings.faces[d][side].open())
-            open_face<L>(at, block.slots(), d, side, settings.faces[d][side], settings.faces, at_end,
-                         owner(), force);
+            open_face<L>(at, block.slots(), d, side, settings.faces[d][side], settings.faces,
+                         at_end, owner(), force);
     }
 
     // links of spheres that stay are found once and kept; of spheres that move, found and used one
@@ -204,9 +206,12 @@ namespace {
     void bounce_back_all(std::vector<Load> &loads)
     {
       switch (settings.link) {
-        case LinkRule::HALFWAY: return bounce_back_with<Halfway>(loads);
-        case LinkRule::BOUZIDI: return bounce_back_with<Bouzidi>(loads);
-        case LinkRule::CLI: return bounce_back_with<Cli>(loads);
+        case LinkRule::HALFWAY:
+          return bounce_back_with<Halfway>(loads);
+        case LinkRule::BOUZIDI:
+          return bounce_back_with<Bouzidi>(loads);
+        case LinkRule::CLI:
+          return bounce_back_with<Cli>(loads);
       }
     }
 

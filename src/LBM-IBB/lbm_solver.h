@@ -23,12 +23,12 @@ enum class LinkRule { HALFWAY, BOUZIDI, CLI };
 
 struct Settings {
   int dimension = 3;
-  double tau = 0.8;              // relaxation time of the viscosity, > 1/2
-  bool bgk = false;              // else two relaxation times
-  double magic = 3.0 / 16.0;     // Lambda = (tau+ - 1/2)(tau- - 1/2)
+  double tau = 0.8;             // relaxation time of the viscosity, > 1/2
+  bool bgk = false;             // else two relaxation times
+  double magic = 3.0 / 16.0;    // Lambda = (tau+ - 1/2)(tau- - 1/2)
   LinkRule link = LinkRule::CLI;
   RefillRule refill = RefillRule::GRAD;
-  Faces faces;                   // of the whole box
+  Faces faces;    // of the whole box
 };
 
 class Fluid {
@@ -58,10 +58,10 @@ class Fluid {
   virtual Survey survey() const = 0;    // of this rank, see reduce()
 
   virtual const Layout &layout() const = 0;
-  virtual double links() const = 0;             // of this rank in the last step, gaps included
-  virtual double gaps() const = 0;              // pairs closed in a gap of one node
+  virtual double links() const = 0;    // of this rank in the last step, gaps included
+  virtual double gaps() const = 0;     // pairs closed in a gap of one node
   virtual const RefillCount &refilled() const = 0;
-  virtual double bytes() const = 0;             // memory held
+  virtual double bytes() const = 0;    // memory held
 };
 
 }    // namespace lbm

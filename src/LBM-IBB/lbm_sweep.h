@@ -36,14 +36,20 @@ LBM_INLINE inline void update_nodes(const Slots<L> &p, Index n, const Collision 
 {
   using V = Pack<W>;
   V f[L::Q];
-  unroll<L::Q>([&](auto i) LBM_INLINE { f[i] = load<V>(p[i] + n); });
+  unroll<L::Q>([&](auto i) LBM_INLINE {
+    f[i] = load<V>(p[i] + n);
+  });
   if constexpr (Solid::present) {
     const auto owner = load<PackInt<W>>(solid.owner + n);
-    unroll<L::Q>([&](auto i) LBM_INLINE { f[i] = where_fluid<W>(owner, f[i]); });
+    unroll<L::Q>([&](auto i) LBM_INLINE {
+      f[i] = where_fluid<W>(owner, f[i]);
+    });
   }
   const V drho = collide(f, force);
   if constexpr (Solid::keep_density) store(solid.drho + n, convert<PackFloat<W>>(drho));
-  unroll<L::Q>([&](auto i) LBM_INLINE { store(p[opposite<L>(i)] + n, f[i]); });
+  unroll<L::Q>([&](auto i) LBM_INLINE {
+    store(p[opposite<L>(i)] + n, f[i]);
+  });
 }
 
 template <class L, class Collision, class Force, class Solid>

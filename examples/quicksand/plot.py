@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Pictures of a quicksand run: python3 plot.py NAME
+
+Reads NAME.dat, NAME-grains-{before,after}.png and NAME-water-{before,after}.grid as in.quicksand
+writes them. Makes NAME-{before,after}.png, grains with a vertical slice of the water beside them,
+and NAME.png, the rise of the bed against the gradient.
+"""
+import sys
+import numpy as np
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+
+def read_grid(name):
+    """(nx, ny, nz), box lengths, and the columns of a LAMMPS grid dump as arrays [z, y, x]"""
+    with open(name) as file:
+        lines = file.read().splitlines()
+    at = next(i for i, line in enumerate(lines) if line.startswith("ITEM: BOX BOUNDS"))
+    box = np.array([[float(x) for x in line.split()] for line in lines[at + 1:at + 4]])
+    at = next(i for i, line in enumerate(lines) if line.startswith("ITEM: GRID SIZE"))
+    n = [int(x) for x in lines[at + 1].split()]
+    at = next(i for i, line in enumerate(lines) if line.startswith("ITEM: GRID CELLS"))
+    data = np.array([[float(x) for x in line.split()] for line in lines[at + 1:]])
+    return n, box[:, 1] - box[:, 0], [c.reshape(n[2], n[1], n[0]) for c in data.T]
+
+
+def draw(name, when):
+    n, L, (w, p, solid) = read_grid(f"{name}-water-{when}.grid")
+    j = n[1] // 2
+    hide = solid[:, j, :] > 0
+    extent = [0, 1e3 * L[0], 0, 1e3 * L[2]]
+    figure, axes = plt.subplots(1, 3, figsize=(9.5, 7.2), gridspec_kw={"width_ratios": [1.25, 1, 1]})
+    axes[0].imshow(plt.imread(f"{name}-grains-{when}.png"))
+    axes[0].set_title("grains, speed 0 to 2 cm/s")
+    axes[0].axis("off")
+    for axis, field, title, colours in ((axes[1], 1e3 * w, "upward velocity (mm/s)", "viridis"),
+                                        (axes[2], p, "gauge pressure (Pa)", "coolwarm")):
+        image = axis.imshow(np.ma.array(field[:, j, :], mask=hide), origin="lower", extent=extent,
+                            cmap=colours, interpolation="nearest")
+        axis.set_facecolor("0.35")
+        axis.set_title(title)
+        axis.set_xlabel("x (mm)")
+        figure.colorbar(image, ax=axis, shrink=0.8)
+    axes[1].set_ylabel("z (mm)")
+    figure.tight_layout()
+    figure.savefig(f"{name}-{when}.png", dpi=110)
+    plt.close(figure)
+
+
+def curve(name):
+    time, i, rise, carried, height, porosity, flux, k = np.loadtxt(f"{name}.dat", unpack=True)
+    figure, axes = plt.subplots(3, 1, figsize=(6.5, 7.5), sharex=True)
+    axes[0].plot(time, i)
+    axes[0].set_ylabel("$i/i_c$")
+    axes[1].plot(time, rise)
+    axes[1].axhline(0.05, color="0.6", lw=0.8)
+    axes[1].set_ylabel("mean rise / d")
+    axes[1].set_yscale("symlog", linthresh=0.05)
+    axes[2].plot(time, 1e3 * flux)
+    axes[2].set_ylabel("flux (mm/s)")
+    axes[2].set_xlabel("time (s)")
+    figure.tight_layout()
+    figure.savefig(f"{name}.png", dpi=110)
+
+
+if __name__ == "__main__":
+    name = sys.argv[1] if len(sys.argv) > 1 else "quicksand"
+    curve(name)
+    for when in "before", "after":
+        draw(name, when)

@@ -1,0 +1,398 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License,
+   version 2.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#include "fix_lb_ibb.h"
+
+#include "lb_ibb_fields.h"
+#include "lbm_neighbours_mpi.h"
+#include "lbm_rules.h"
+
+#include "atom.h"
+#include "citeme.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "group.h"
+#include "input.h"
+#include "memory.h"
+#include "modify.h"
+#include "platform.h"
+#include "update.h"
+#include "variable.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using lbm::Int3;
+using lbm::Vec3;
+
+static const char cite_fix_lb_ibb[] =
+    "fix lb/ibb command: https://doi.org/10.1002/nag.2556\n\n"
+    "@Article{Mansouri2016,\n"
+    " author = {M. Mansouri and M. S. {El Youssoufi} and F. Nicot},\n"
+    " title = {Numerical simulation of the quicksand phenomenon by a {3D} coupled discrete element "
+    "-\n"
+    "          lattice {Boltzmann} hydromechanical model},\n"
+    " journal = {International Journal for Numerical and Analytical Methods in Geomechanics},\n"
+    " year = 2017,\n"
+    " volume = 41,\n"
+    " pages = {338--358}\n"
+    "}\n\n";
+
+// ---------------------------------------------------------------------- birth and death
+
+FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), fluid_steps(0), steps_at_run_start(0), last_step(-1), wall_start(0.0),
+    fluid_time(0.0), grain_time(0.0), ghosted(nullptr), nghosted(0), survey_step(-1),
+    surface_speed(0.0), gradp_now{}, buoyancy_now{}
+{
+  if (lmp->citeme) lmp->citeme->add(cite_fix_lb_ibb);
+  if (domain->box_exist == 0)
+    error->all(FLERR, "Fix lb/ibb: the simulation box must be defined before the fix");
+  if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
+  options = LBOptionsParser(lmp, narg, arg).parse();
+
+  nevery = options.every;
+  time_depend = 1;    // LAMMPS refuses reset_timestep: the fluid has its own clock
+  dynamic_group_allow = 1;
+  scalar_flag = vector_flag = peratom_flag = pergrid_flag = 1;
+  size_vector = 14;
+  extscalar = extvector = 0;
+  size_peratom_cols = 6;
+  global_freq = peratom_freq = pergrid_freq = 1;
+  comm_forward = 9;
+  comm_reverse = 6;
+  create_attribute = 1;
+  maxexchange = COLUMNS;
+
+  units = {options.dx, options.every * update->dt, options.rho, domain->dimension};
+  const char *direction[3] = {"x", "y", "z"};
+  nodes = {1, 1, 1};
+  for (int d = 0; d < domain->dimension; d++) {
+    std::string why;
+    nodes[d] = lbm::cells(domain->prd[d], options.dx, direction[d], why);
+    if (!nodes[d]) error->all(FLERR, "Fix lb/ibb: {}", why);
+  }
+  fields = std::make_unique<LBFields>(lmp, nodes);
+
+  grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+}
+
+FixLbIbb::~FixLbIbb()
+{
+  if (copymode) return;
+  atom->delete_callback(id, Atom::GROW);
+  memory->destroy(array_atom);
+  memory->destroy(ghosted);
+}
+
+int FixLbIbb::setmask()
+{
+  return POST_FORCE | END_OF_STEP | POST_RUN;
+}
+
+// the fluid is not advanced here: "run 0" and repeated runs leave it alone
+void FixLbIbb::setup(int vflag)
+{
+  review_setup();
+  steps_at_run_start = fluid_steps;
+  wall_start = platform::walltime();
+  fluid_time = grain_time = 0.0;
+  post_force(vflag);
+}
+
+// ---------------------------------------------------------------------- the step
+
+// every granular step: the force of the last fluid steps is held
+void FixLbIbb::post_force(int)
+{
+  double **f = atom->f, **torque = atom->torque;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int d = 0; d < 3; d++) {
+      f[i][d] += array_atom[i][FORCE + d];
+      torque[i][d] += array_atom[i][TORQUE + d];
+    }
+    if (options.has_buoyancy) {
+      const double mass = options.rho * units.grain_volume(hydrodynamic_radius(i));
+      for (int d = 0; d < 3; d++) f[i][d] -= mass * buoyancy_now[d];
+    }
+  }
+}
+
+// every nevery granular steps, positions and velocities are those of the full step: one fluid step
+void FixLbIbb::end_of_step()
+{
+  const double start = platform::walltime();
+  evaluate_all();
+  place_grains();
+  const double placed = platform::walltime();
+  fluid->follow(spheres);
+  fluid->advance(loads);
+  const double advanced = platform::walltime();
+  give_forces();
+  fluid_steps++;
+  last_step = update->ntimestep;
+  fluid_time += advanced - placed;
+  grain_time += placed - start + platform::walltime() - advanced;
+  survey_step = -1;
+  if (fluid_steps % options.check == 0) take_survey();
+}
+
+double FixLbIbb::evaluate(const LBValue &value)
+{
+  if (value.variable.empty()) return value.constant;
+  const double x = input->variable->compute_equal(input->variable->find(value.variable.c_str()));
+  if (!std::isfinite(x))
+    error->all(FLERR, "Fix lb/ibb: variable {} is {} at step {}", value.variable, x,
+               update->ntimestep);
+  return x;
+}
+
+// forces, face values and gravity of this fluid step, in the units each has its use for
+void FixLbIbb::evaluate_all()
+{
+  modify->clearstep_compute();
+  Vec3 force;
+  for (int d = 0; d < 3; d++) {
+    gradp_now[d] = evaluate(options.gradp[d]);
+    buoyancy_now[d] = evaluate(options.buoyancy[d]);
+    force[d] = (options.rho * evaluate(options.accel[d]) - gradp_now[d]) / units.force_density();
+  }
+  fluid->set_force(force);
+  for (int d = 0; d < domain->dimension; d++)
+    for (int side = 0; side < 2; side++) {
+      const LBFace &face = options.face[d][side];
+      if (face.kind == lbm::FaceKind::PERIODIC) continue;
+      Vec3 u;
+      for (int k = 0; k < 3; k++) u[k] = evaluate(face.u[k]) / units.velocity();
+      const double drho = units.density_excess(evaluate(face.p));
+      if (std::fabs(drho) > 2.0 * lbm::EXCESS_LIMIT ||
+          lbm::dot(u, u) > lbm::MACH_LIMIT * lbm::MACH_LIMIT / 3.0)
+        error->all(
+            FLERR,
+            "Fix lb/ibb: at step {} a face has a density change of {:.3g} % (limit {} %) "
+            "or Ma = {:.3g} (limit {}): reduce the fluid time step, or the pressure or velocity",
+            update->ntimestep, 100.0 * drho, 200.0 * lbm::EXCESS_LIMIT,
+            std::sqrt(3.0 * lbm::dot(u, u)), lbm::MACH_LIMIT);
+      fluid->set_face(d, side, u, drho);
+    }
+  modify->addstep_compute(update->ntimestep + nevery);
+}
+
+double FixLbIbb::hydrodynamic_radius(int i) const
+{
+  return atom->radius[i] - options.shrink;
+}
+
+// The spheres that reach this rank: own grains and ghosts, each where its image is. The owner's
+// place, snapped, goes out with the velocities, so that all images agree to the bit.
+void FixLbIbb::place_grains()
+{
+  spheres.clear();
+  sphere_atom.clear();
+  surface_speed = 0.0;
+  if (atom->natoms == 0 || !atom->radius_flag) return;
+
+  const int nall = atom->nlocal + atom->nghost;
+  if (nall > nghosted) {
+    nghosted = atom->nmax;
+    memory->destroy(ghosted);
+    memory->create(ghosted, nghosted, 9, "lb/ibb:ghosted");
+  }
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) {
+      ghosted[i][d] = lbm::snap((atom->x[i][d] - domain->boxlo[d]) / units.dx);
+      ghosted[i][3 + d] = atom->v[i][d] / units.velocity();
+      ghosted[i][6 + d] = atom->omega[i][d] / units.spin();
+    }
+  comm->forward_comm(this);
+
+  const lbm::Layout &at = fluid->layout();
+  for (int i = 0; i < nall; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double *g = ghosted[i];
+    lbm::Sphere s{atom->tag[i],
+                  {g[0], g[1], g[2]},
+                  hydrodynamic_radius(i) / units.dx,
+                  {g[3], g[4], g[5]},
+                  {g[6], g[7], g[8]}};
+    if (i < atom->nlocal) {
+      check_displacement(i, s.centre);
+      const double speed = std::sqrt(lbm::dot(s.velocity, s.velocity)) +
+          s.radius * std::sqrt(lbm::dot(s.spin, s.spin));
+      surface_speed = std::max(surface_speed, speed);
+    }
+    bool reaches = true;
+    for (int d = 0; d < domain->dimension; d++) {
+      const double seen = (atom->x[i][d] - domain->boxlo[d]) / units.dx;
+      if (domain->periodicity[d])
+        s.centre[d] += nodes[d] * std::nearbyint((seen - s.centre[d]) / nodes[d]);
+      reaches = reaches && s.centre[d] + s.radius > at.lo[d] - 1.0 &&
+          s.centre[d] - s.radius < at.lo[d] + at.n[d] + 1.0;
+    }
+    if (!reaches) continue;
+    spheres.push_back(s);
+    sphere_atom.push_back(i);
+  }
+}
+
+void FixLbIbb::check_displacement(int i, const Vec3 &place)
+{
+  double *a = array_atom[i];
+  if (a[AGE] > 0.0) {
+    for (int d = 0; d < domain->dimension; d++) {
+      double step = place[d] - a[PLACE + d];
+      if (domain->periodicity[d]) step -= nodes[d] * std::nearbyint(step / nodes[d]);
+      if (!(std::fabs(step) <= 1.0))
+        error->one(
+            FLERR,
+            "Fix lb/ibb: grain {} moved {:.3g} cells in one fluid step at step {}, limit 1: "
+            "reduce the fluid time step (timestep, every); if it was placed anew between runs, "
+            "delete and create it instead",
+            atom->tag[i], step, update->ntimestep);
+    }
+  }
+  for (int d = 0; d < 3; d++) a[PLACE + d] = place[d];
+}
+
+// momentum of the links to the grains, summed over images and ranks; mean of two steps if wanted
+void FixLbIbb::give_forces()
+{
+  if (atom->natoms == 0 || !atom->radius_flag) return;
+  const int nall = atom->nlocal + atom->nghost;
+  for (int i = 0; i < nall; i++)
+    for (int k = 0; k < 6; k++) ghosted[i][k] = 0.0;
+  for (std::size_t s = 0; s < loads.size(); s++)
+    for (int d = 0; d < 3; d++) {
+      ghosted[sphere_atom[s]][d] += loads[s].force[d] * units.force();
+      ghosted[sphere_atom[s]][3 + d] += loads[s].torque[d] * units.torque();
+    }
+  comm->reverse_comm(this);
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double *a = array_atom[i];
+    const double old = (options.average && a[AGE] > 0.0) ? 0.5 : 0.0;
+    for (int k = 0; k < 6; k++) {
+      a[FORCE + k] = (1.0 - old) * ghosted[i][k] + old * a[LAST + k];
+      a[LAST + k] = ghosted[i][k];
+    }
+    if (options.has_gradp) {
+      const double volume = units.grain_volume(hydrodynamic_radius(i));
+      for (int d = 0; d < 3; d++) a[FORCE + d] -= volume * gradp_now[d];
+    }
+    a[AGE] += 1.0;
+  }
+}
+
+// ---------------------------------------------------------------------- per-atom data
+
+void FixLbIbb::grow_arrays(int nmax)
+{
+  memory->grow(array_atom, nmax, COLUMNS, "lb/ibb:array_atom");
+}
+
+void FixLbIbb::copy_arrays(int i, int j, int)
+{
+  for (int k = 0; k < COLUMNS; k++) array_atom[j][k] = array_atom[i][k];
+}
+
+void FixLbIbb::set_arrays(int i)
+{
+  for (int k = 0; k < COLUMNS; k++) array_atom[i][k] = 0.0;
+}
+
+int FixLbIbb::pack_exchange(int i, double *buf)
+{
+  for (int k = 0; k < COLUMNS; k++) buf[k] = array_atom[i][k];
+  return COLUMNS;
+}
+
+int FixLbIbb::unpack_exchange(int i, double *buf)
+{
+  for (int k = 0; k < COLUMNS; k++) array_atom[i][k] = buf[k];
+  return COLUMNS;
+}
+
+int FixLbIbb::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  int m = 0;
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < 9; k++) buf[m++] = ghosted[list[i]][k];
+  return m;
+}
+
+void FixLbIbb::unpack_forward_comm(int n, int first, double *buf)
+{
+  int m = 0;
+  for (int i = first; i < first + n; i++)
+    for (int k = 0; k < 9; k++) ghosted[i][k] = buf[m++];
+}
+
+int FixLbIbb::pack_reverse_comm(int n, int first, double *buf)
+{
+  int m = 0;
+  for (int i = first; i < first + n; i++)
+    for (int k = 0; k < 6; k++) buf[m++] = ghosted[i][k];
+  return m;
+}
+
+void FixLbIbb::unpack_reverse_comm(int n, int *list, double *buf)
+{
+  int m = 0;
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < 6; k++) ghosted[list[i]][k] += buf[m++];
+}
+
+// ---------------------------------------------------------------------- per-grid data
+
+void FixLbIbb::reset_grid()
+{
+  if (!fields->cut_changed()) return;
+  if (fluid_steps > 0)
+    error->all(FLERR,
+               "Fix lb/ibb: the fluid cannot follow new sub-domains once it has moved: balance "
+               "before the first run");
+  fields = std::make_unique<LBFields>(lmp, nodes);
+  if (fluid) create_fluid();
+}
+
+int FixLbIbb::get_grid_by_name(const std::string &name, int &dim)
+{
+  dim = domain->dimension;
+  return name == "grid" ? 0 : -1;
+}
+
+void *FixLbIbb::get_grid_by_index(int index)
+{
+  return index == 0 ? fields->grid() : nullptr;
+}
+
+int FixLbIbb::get_griddata_by_name(int igrid, const std::string &name, int &ncol)
+{
+  return igrid == 0 ? LBFields::find(name, ncol) : -1;
+}
+
+void *FixLbIbb::get_griddata_by_index(int index)
+{
+  if (!fluid || index < 0) return nullptr;
+  return fields->compute(index, *fluid, units);
+}
+
+double FixLbIbb::memory_usage()
+{
+  return (fluid ? fluid->bytes() : 0.0) + fields->memory_usage() +
+      sizeof(double) * (double(atom->nmax) * COLUMNS + double(nghosted) * 9);
+}

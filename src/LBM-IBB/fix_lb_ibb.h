@@ -1,0 +1,116 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+   This software is distributed under the GNU General Public License,
+   version 2.
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(lb/ibb,FixLbIbb);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_LB_IBB_H
+#define LMP_FIX_LB_IBB_H
+
+#include "fix.h"
+
+#include "lb_ibb_options.h"
+#include "lbm_units.h"
+
+#include <memory>
+
+namespace lbm {
+class MpiNeighbours;
+}
+
+namespace LAMMPS_NS {
+
+// The adapter between LAMMPS and the lattice-Boltzmann solver: hands grains in and forces out,
+// and holds no lattice arithmetic.
+class FixLbIbb : public Fix {
+ public:
+  FixLbIbb(class LAMMPS *, int, char **);
+  ~FixLbIbb() override;
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+  void end_of_step() override;
+  void post_run() override;
+  void reset_dt() override;
+
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  double memory_usage() override;
+
+  void reset_grid() override;
+  int get_grid_by_name(const std::string &, int &) override;
+  void *get_grid_by_index(int) override;
+  int get_griddata_by_name(int, const std::string &, int &) override;
+  void *get_griddata_by_index(int) override;
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  int pack_reverse_comm(int, int, double *) override;
+  void unpack_reverse_comm(int, int *, double *) override;
+
+ private:
+  LBOptions options;
+  lbm::Units units;
+  lbm::Int3 nodes;                           // of the whole lattice
+  std::unique_ptr<class LBFields> fields;    // also decides which nodes are this rank's
+  std::unique_ptr<lbm::MpiNeighbours> neighbours;
+  std::unique_ptr<lbm::Fluid> fluid;
+  bigint fluid_steps, steps_at_run_start, last_step;
+  double wall_start, fluid_time, grain_time;    // seconds of wall time, the latter two in this run
+
+  // columns of array_atom; the first six are seen by the user
+  enum { FORCE = 0, TORQUE = 3, LAST = 6, PLACE = 12, AGE = 15, COLUMNS = 16 };
+  double **ghosted;    // by local and ghost atom: place, velocity, spin out; force, torque back
+  int nghosted;
+  std::vector<int> sphere_atom;    // atom behind each sphere handed in
+  std::vector<lbm::Sphere> spheres;
+  std::vector<lbm::Load> loads;
+  lbm::Survey survey;
+  bigint survey_step;
+  double surface_speed;    // largest of any grain's surface in the last fluid step, lattice units
+
+  // set-up, in fix_lb_ibb_setup.cpp
+  void check_scene();
+  void check_order_of_fixes();
+  void find_variables();
+  void review_setup();
+  void provide_ghosts();
+  void create_fluid();
+  void print_summary(double smallest, double largest, double pressure_difference);
+  double largest_radius(double &smallest);
+
+  // the step
+  double evaluate(const LBValue &value);
+  void evaluate_all();
+  void place_grains();
+  void give_forces();
+  void check_displacement(int i, const lbm::Vec3 &place);
+  double hydrodynamic_radius(int i) const;
+
+  // watching
+  void take_survey();
+  void check_stability();
+  [[noreturn]] void stop(const lbm::Int3 &node, const std::string &what);
+  lbm::Vec3 total_force();
+
+  lbm::Vec3 gradp_now, buoyancy_now;    // physical
+};
+
+}    // namespace LAMMPS_NS
+#endif
+#endif

@@ -1,0 +1,356 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License,
+   version 2.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+// Set-up of fix lb/ibb: what a scene must and must not have, and what it will cost.
+
+#include "fix_lb_ibb.h"
+
+#include "lb_ibb_fields.h"
+#include "lbm_neighbours_mpi.h"
+#include "lbm_rules.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "input.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair.h"
+#include "platform.h"
+#include "update.h"
+#include "variable.h"
+
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using lbm::Vec3;
+
+void FixLbIbb::init()
+{
+  check_scene();
+  check_order_of_fixes();
+  find_variables();
+  if (fluid_steps == 0)
+    create_fluid();
+  else if (units.dt != nevery * update->dt)
+    error->all(FLERR,
+               "Fix lb/ibb: the fluid has run with time step {} and cannot go on with {}: keep "
+               "timestep, or define the fix anew",
+               units.dt, nevery * update->dt);
+  provide_ghosts();
+}
+
+// timestep changed between runs: init() sees it; changed within a run by another fix: refuse
+void FixLbIbb::reset_dt()
+{
+  if (fluid_steps > 0 && units.dt != nevery * update->dt)
+    error->all(FLERR,
+               "Fix lb/ibb: the time step was changed from {} to {} while the fluid is moving",
+               units.dt / nevery, update->dt);
+}
+
+void FixLbIbb::check_scene()
+{
+  if (update->whichflag == 2) error->all(FLERR, "Fix lb/ibb cannot be used with minimisation");
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Fix lb/ibb cannot be used with run_style respa");
+  if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
+  if (domain->nonperiodic == 2)
+    error->all(FLERR, "Fix lb/ibb does not support shrink-wrapped boxes: use boundary style f");
+  if (domain->box_change)
+    error->all(FLERR, "Fix lb/ibb does not support a changing box: remove the fix that changes it");
+  for (int d = 0; d < domain->dimension; d++) {
+    std::string why;
+    if (lbm::cells(domain->prd[d], options.dx, "a side", why) != nodes[d])
+      error->all(FLERR,
+                 "Fix lb/ibb: the box has changed since the fix was defined; define it anew");
+    for (int side = 0; side < 2; side++)
+      if (domain->periodicity[d] != (options.face[d][side].kind == lbm::FaceKind::PERIODIC))
+        error->all(FLERR, "Fix lb/ibb: the boundary command was used after the fix was defined");
+  }
+  if (comm->style != Comm::BRICK || comm->layout == Comm::LAYOUT_TILED)
+    error->all(FLERR, "Fix lb/ibb needs comm_style brick");
+  if (comm->mode != Comm::SINGLE) error->all(FLERR, "Fix lb/ibb needs comm_modify mode single");
+  if (force->ftm2v != 1.0 || force->nktv2p != 1.0)
+    error->all(FLERR,
+               "Fix lb/ibb: units {} have hidden conversion factors: use units si, cgs, lj, "
+               "micro or nano",
+               update->unit_style);
+  if (group->count(igroup) > 0 && !(atom->radius_flag && atom->omega_flag && atom->torque_flag))
+    error->all(FLERR, "Fix lb/ibb: grains need radius, omega and torque: use atom_style sphere");
+
+  if (modify->get_fix_by_style("^lb/ibb$").size() > 1)
+    error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box; there are two such fixes");
+  for (auto *other : modify->get_fix_list()) {
+    if (utils::strmatch(other->style, "^dt/reset"))
+      error->all(FLERR,
+                 "Fix lb/ibb cannot be used with fix {}: the fluid needs a constant time step",
+                 other->style);
+    if (other->diam_flag)
+      error->all(FLERR, "Fix lb/ibb: fix {} changes radii, which the fluid does not follow",
+                 other->id);
+  }
+  int dim;
+  auto *offset = force->pair ? (double *) force->pair->extract("offset", dim) : nullptr;
+  if (options.shrink > 0.0 && offset && *offset > 0.0)
+    error->all(FLERR,
+               "Fix lb/ibb: shrink {} and the contact offset {} of pair style {} are two ways of "
+               "the same thing: use one",
+               options.shrink, *offset, force->pair_style);
+  if (fluid_steps == 0 && update->ntimestep % nevery)
+    error->all(
+        FLERR,
+        "Fix lb/ibb: the first run starts at step {}, which is no multiple of every = {}: "
+        "the first fluid step would be too short; use reset_timestep before the fix, or run to a "
+        "multiple",
+        update->ntimestep, nevery);
+  if (last_step >= 0 &&
+      (update->ntimestep < last_step || update->ntimestep >= last_step + 2 * nevery))
+    error->all(FLERR,
+               "Fix lb/ibb: the last fluid step was at step {}, now it is step {}: the time step "
+               "counter was changed",
+               last_step, update->ntimestep);
+}
+
+// forces are added in the order of the fixes: those that overrule forces must come later
+void FixLbIbb::check_order_of_fixes()
+{
+  for (auto *other : modify->get_fix_list()) {
+    if (other == this) return;
+    if (utils::strmatch(other->style, "^(freeze|setforce|enforce2d)") && comm->me == 0)
+      error->warning(FLERR,
+                     "Fix {} ({}) is defined before fix lb/ibb and does not see its forces: "
+                     "define it after",
+                     other->id, other->style);
+  }
+}
+
+void FixLbIbb::find_variables()
+{
+  auto check = [&](const LBValue &value) {
+    if (value.variable.empty()) return;
+    const int i = input->variable->find(value.variable.c_str());
+    if (i < 0) error->all(FLERR, "Fix lb/ibb: variable {} does not exist", value.variable);
+    if (!input->variable->equalstyle(i))
+      error->all(FLERR, "Fix lb/ibb: variable {} is not of style equal", value.variable);
+  };
+  for (int d = 0; d < 3; d++) {
+    check(options.accel[d]);
+    check(options.gradp[d]);
+    check(options.buoyancy[d]);
+    for (const LBFace &face : options.face[d]) {
+      check(face.p);
+      for (const LBValue &u : face.u) check(u);
+    }
+  }
+}
+
+void FixLbIbb::create_fluid()
+{
+  units.dt = nevery * update->dt;
+  const lbm::Int3 n = fields->n();
+  int empty = n[0] < 1 || n[1] < 1 || n[2] < 1, any;
+  MPI_Allreduce(&empty, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any)
+    error->all(FLERR,
+               "Fix lb/ibb: {} x {} x {} ranks are too many for {} x {} x {} lattice nodes: each "
+               "needs at least one along every direction; see the processors command",
+               comm->procgrid[0], comm->procgrid[1], comm->procgrid[2], nodes[0], nodes[1],
+               nodes[2]);
+
+  std::array<std::array<int, 2>, 3> rank;
+  lbm::Settings s;
+  for (int d = 0; d < 3; d++)
+    for (int side = 0; side < 2; side++) {
+      const bool end = comm->myloc[d] == (side == 0 ? 0 : comm->procgrid[d] - 1);
+      rank[d][side] = (end && !domain->periodicity[d]) ? MPI_PROC_NULL : comm->procneigh[d][side];
+      s.faces[d][side].kind = options.face[d][side].kind;
+    }
+  s.dimension = domain->dimension;
+  s.tau = units.tau(options.nu);
+  s.bgk = options.bgk;
+  s.magic = options.magic;
+  s.link = options.link;
+  s.refill = options.refill;
+  // a single message for what no user can mend but by other numbers
+  for (const auto &finding : lbm::review({units, options.nu, nevery, 0.0, 0.0, 0.0}))
+    if (finding.fatal) error->all(FLERR, "Fix lb/ibb: {}", finding.text);
+  neighbours = std::make_unique<lbm::MpiNeighbours>(world, rank);
+  fluid.reset();
+  fluid = lbm::Fluid::create(s, fields->lo(), n, nodes, *neighbours);
+}
+
+// radii over all ranks, and of grains that other fixes will insert
+double FixLbIbb::largest_radius(double &smallest)
+{
+  double extremes[2] = {0.0, -1e300};
+  if (atom->radius_flag)
+    for (int i = 0; i < atom->nlocal; i++)
+      if (atom->mask[i] & groupbit) {
+        extremes[0] = std::max(extremes[0], atom->radius[i] - options.shrink);
+        extremes[1] = std::max(extremes[1], options.shrink - atom->radius[i]);
+      }
+  for (auto *other : modify->get_fix_list())
+    for (int type = 1; type <= atom->ntypes; type++) {
+      int itype = type;
+      auto *r = (double *) other->extract("radius", itype);
+      if (r && *r > 0.0) extremes[0] = std::max(extremes[0], *r - options.shrink);
+    }
+  MPI_Allreduce(MPI_IN_PLACE, extremes, 2, MPI_DOUBLE, MPI_MAX, world);
+  smallest = extremes[1] > -1e300 ? -extremes[1] : 0.0;
+  return extremes[0];
+}
+
+// every rank must know the grains that cover its nodes and its neighbours' next to them
+void FixLbIbb::provide_ghosts()
+{
+  double smallest;
+  const double largest = largest_radius(smallest);
+  if (largest <= 0.0) return;
+  const double need = largest + 2.0 * options.dx + neighbor->skin;
+  const double have =
+      std::max(comm->cutghostuser, force->pair ? force->pair->cutforce + neighbor->skin : 0.0);
+  if (need <= have) return;
+  comm->cutghostuser = need;
+  if (comm->me == 0)
+    utils::logmesg(
+        lmp,
+        "Fix lb/ibb: raised the ghost cutoff from {:.6g} to {:.6g} (largest radius + 2 dx + "
+        "skin)\n",
+        have, need);
+}
+
+// rules that need the state at the start of a run: variables, radii
+void FixLbIbb::review_setup()
+{
+  evaluate_all();
+  lbm::Plan plan{units, options.nu, nevery, 0.0, 0.0, 0.0};
+  double low = 0.0, high = 0.0;
+  bool first = true;
+  for (int d = 0; d < domain->dimension; d++)
+    for (const LBFace &face : options.face[d]) {
+      if (face.kind == lbm::FaceKind::PRESSURE) {
+        const double p = evaluate(face.p);
+        low = first ? std::min(0.0, p) : std::min(low, p);
+        high = first ? std::max(0.0, p) : std::max(high, p);
+        first = false;
+      }
+      Vec3 u;
+      for (int k = 0; k < 3; k++) u[k] = evaluate(face.u[k]);
+      plan.face_speed = std::max(plan.face_speed, std::sqrt(lbm::dot(u, u)));
+    }
+  plan.pressure_difference = high - low;
+  const double largest = largest_radius(plan.smallest_radius);
+  if (plan.smallest_radius <= 0.0 && atom->radius_flag && group->count(igroup) > 0)
+    error->all(
+        FLERR,
+        "Fix lb/ibb: smallest hydrodynamic radius is {} (atom radius - shrink {}): it must be "
+        "larger than 0",
+        plan.smallest_radius, options.shrink);
+  for (const auto &finding : lbm::review(plan)) {
+    if (finding.fatal) error->all(FLERR, "Fix lb/ibb: {}", finding.text);
+    if (comm->me == 0) error->warning(FLERR, "Fix lb/ibb: {}", finding.text);
+  }
+  for (int d = 0; d < domain->dimension; d++)
+    if (largest > 0.0 && comm->cutghost[d] < largest + 1.5 * options.dx)
+      error->all(
+          FLERR,
+          "Fix lb/ibb: ghost cutoff {} is too small, {} is needed (largest radius + 2 dx + skin): "
+          "use comm_modify cutoff",
+          comm->cutghost[d], largest + 2.0 * options.dx + neighbor->skin);
+  print_summary(plan.smallest_radius, largest, plan.pressure_difference);
+}
+
+// what the run will do, what it will cost, and what it leaves out
+void FixLbIbb::print_summary(double smallest, double largest, double pressure_difference)
+{
+  static const char *link[] = {"halfway", "bouzidi", "cli"};
+  static const char *refill[] = {"grad", "equilibrium"};
+  double bytes = fluid->bytes(), most;
+  MPI_Allreduce(&bytes, &most, 1, MPI_DOUBLE, MPI_MAX, world);
+  const bool grains = group->count(igroup) > 0 || largest > 0.0;
+
+  std::string text = fmt::format(
+      "Fix lb/ibb: {} x {} x {} nodes of dx = {:.6g}, {}, collision {}\n"
+      "  fluid step = {} x timestep = {:.6g}, tau = {:.5f}; Ma = 0.1 at speed {:.4g}, limit 0.3 at "
+      "{:.4g}\n",
+      nodes[0], nodes[1], nodes[2], options.dx, domain->dimension == 2 ? "D2Q9" : "D3Q19",
+      options.bgk ? "bgk" : fmt::format("trt, Lambda = {:.5g}", options.magic), nevery, units.dt,
+      units.tau(options.nu), 0.1 * units.sound_speed(), 0.3 * units.sound_speed());
+  for (int d = 0; d < domain->dimension; d++)
+    if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&
+        options.face[d][1].kind == lbm::FaceKind::PRESSURE)
+      text += fmt::format("  pressure planes along {} are {:.8g} apart (box length - dx)\n",
+                          "xyz"[d], domain -> prd[d] - options.dx);
+  if (pressure_difference > 0.0)
+    text += fmt::format("  pressure difference now {:.6g}: density change {:.3g} %\n",
+                        pressure_difference, 100.0 * units.density_excess(pressure_difference));
+  if (grains)
+    text += fmt::format(
+        "  grains: {:.4g} to {:.4g} cells per diameter; links {}, refill {}, force {}\n",
+        2.0 * smallest / options.dx, 2.0 * largest / options.dx, link[(int) options.link],
+        refill[(int) options.refill],
+        options.average ? "mean of two fluid steps" : "of the last fluid step");
+
+  std::string absent;
+  auto has = [&](bool present, const char *name) {
+    if (!present) absent += std::string(name) + ", ";
+  };
+  bool wall = false, open = false, force = options.has_gradp;
+  for (int d = 0; d < 3; d++) {
+    force = force || !options.accel[d].zero();
+    for (const LBFace &face : options.face[d]) {
+      wall = wall || face.kind == lbm::FaceKind::WALL;
+      open = open || face.kind == lbm::FaceKind::PRESSURE || face.kind == lbm::FaceKind::VELOCITY;
+    }
+  }
+  has(grains, "grains");
+  has(wall, "walls");
+  has(open, "open faces");
+  has(force, "body force");
+  has(options.has_buoyancy, "buoyancy");
+  has(comm->nprocs > 1, "messages between ranks");
+  text +=
+      fmt::format("  memory {:.4g} MiB on the fullest rank; left out: {}fields until asked for\n",
+                  most / 1048576.0, absent);
+  if (comm->me == 0) utils::logmesg(lmp, text);
+}
+
+// LAMMPS's own timers know no fluid: it is part of "Modify" there
+void FixLbIbb::post_run()
+{
+  const double run = platform::walltime() - wall_start;
+  const auto steps = double(fluid_steps - steps_at_run_start);
+  if (steps < 1.0) return;
+  double mine[2] = {fluid_time, grain_time}, most[2];
+  MPI_Allreduce(mine, most, 2, MPI_DOUBLE, MPI_MAX, world);
+  const double links = compute_vector(12), all = double(nodes[0]) * nodes[1] * nodes[2];
+  const lbm::RefillCount &r = fluid->refilled();
+  double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.rest)};
+  double gaps = fluid->gaps();
+  neighbours->sum(refilled, 3);
+  neighbours->sum(&gaps, 1);
+  if (comm->me) return;
+  std::string text =
+      fmt::format("Fix lb/ibb: {:.0f} fluid steps, {:.4g} M nodes/s over the whole loop; fluid "
+                  "{:.1f} %, grains in and "
+                  "out {:.1f} % of the time\n",
+                  steps, steps * all / run * 1e-6, 100.0 * most[0] / run, 100.0 * most[1] / run);
+  if (links > 0.0)
+    text += fmt::format(
+        "  {:.0f} cut links, {:.0f} of them closed in pairs in gaps of one node; nodes refilled so "
+        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at rest density\n",
+        links, 2.0 * gaps, refilled[0], refilled[1], refilled[2]);
+  utils::logmesg(lmp, text);
+}

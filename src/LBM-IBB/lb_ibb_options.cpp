@@ -1,0 +1,231 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License,
+   version 2.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#include "lb_ibb_options.h"
+
+#include "domain.h"
+#include "error.h"
+#include "utils.h"
+
+#include <cmath>
+#include <set>
+
+using namespace LAMMPS_NS;
+using lbm::FaceKind;
+
+static constexpr const char *FACE[3][2] = {{"xlo", "xhi"}, {"ylo", "yhi"}, {"zlo", "zhi"}};
+
+LBOptionsParser::LBOptionsParser(LAMMPS *lmp, int narg_, char **arg_) :
+    Pointers(lmp), narg(narg_), iarg(3), arg(arg_)
+{
+}
+
+void LBOptionsParser::refuse(int at, const std::string &why) const
+{
+  error->all(FLERR, "Fix lb/ibb keyword {}: {}", arg[at], why);
+}
+
+LBOptions LBOptionsParser::parse()
+{
+  if (narg < 9) utils::missing_cmd_args(FLERR, "fix lb/ibb", error);
+  for (auto [name, place] :
+       {std::pair<const char *, double *>{"dx", &o.dx}, {"nu", &o.nu}, {"rho", &o.rho}}) {
+    if (arg[iarg] != std::string(name))
+      error->all(FLERR,
+                 "Fix lb/ibb: expected '{}', not '{}': fix ID group lb/ibb dx ... nu ... rho ...",
+                 name, arg[iarg]);
+    *place = positive(name);
+    iarg++;
+  }
+  std::set<std::string> seen;
+  while (iarg < narg) {
+    std::string name = arg[iarg];
+    if (name == "face" && iarg + 1 < narg) name += std::string(" ") + arg[iarg + 1];
+    if (!seen.insert(name).second)
+      error->all(FLERR,
+                 "Fix lb/ibb: '{}' is given twice; the first was at an earlier place of the line",
+                 name);
+    keyword();
+    iarg++;
+  }
+  check_faces();
+  return o;
+}
+
+// arg[iarg] is a keyword; leaves iarg at its last word
+void LBOptionsParser::keyword()
+{
+  const std::string name = arg[iarg];
+  if (name == "every") {
+    o.every = count("fluid step interval");
+  } else if (name == "check") {
+    o.check = count("interval of the stability check");
+  } else if (name == "collision") {
+    const int at = iarg;
+    const std::string rule = next("bgk or trt");
+    if (rule != "bgk" && rule != "trt") refuse(at, "'" + rule + "' is neither bgk nor trt");
+    o.bgk = rule == "bgk";
+    if (!o.bgk && follows_number()) o.magic = positive("trt Lambda");
+  } else if (name == "link") {
+    const int at = iarg;
+    const std::string rule = next("cli, bouzidi or halfway");
+    if (rule == "cli")
+      o.link = lbm::LinkRule::CLI;
+    else if (rule == "bouzidi")
+      o.link = lbm::LinkRule::BOUZIDI;
+    else if (rule == "halfway")
+      o.link = lbm::LinkRule::HALFWAY;
+    else
+      refuse(at, "'" + rule + "' is none of cli, bouzidi, halfway");
+  } else if (name == "refill") {
+    const int at = iarg;
+    const std::string rule = next("grad or equilibrium");
+    if (rule != "grad" && rule != "equilibrium")
+      refuse(at, "'" + rule + "' is neither grad nor equilibrium");
+    o.refill = rule == "grad" ? lbm::RefillRule::GRAD : lbm::RefillRule::EQUILIBRIUM;
+  } else if (name == "average") {
+    o.average = utils::logical(FLERR, next("yes or no"), false, lmp) == 1;
+  } else if (name == "shrink") {
+    const int at = iarg;
+    o.shrink = number("shrink");
+    if (o.shrink < 0.0) refuse(at, "must not be negative");
+  } else if (name == "accel") {
+    o.accel = vector(name);
+  } else if (name == "gradp") {
+    o.gradp = vector(name);
+    o.has_gradp = true;
+  } else if (name == "buoyancy") {
+    o.buoyancy = vector(name);
+    o.has_buoyancy = true;
+  } else if (name == "face") {
+    face();
+  } else {
+    error->all(FLERR,
+               "Fix lb/ibb: unknown keyword '{}'; known are every, collision, link, refill, "
+               "face, accel, gradp, buoyancy, shrink, average, check",
+               name);
+  }
+}
+
+void LBOptionsParser::face()
+{
+  const int at = iarg;
+  const std::string name = next("face");
+  int d = 0, side = 0;
+  for (d = 0; d < 3; d++) {
+    for (side = 0; side < 2; side++)
+      if (name == FACE[d][side]) break;
+    if (side < 2) break;
+  }
+  if (d == 3) refuse(at, "'" + name + "' is none of xlo, xhi, ylo, yhi, zlo, zhi");
+  if (d == 2 && domain->dimension == 2) refuse(at, name + " has no meaning with dimension 2");
+  if (domain->periodicity[d])
+    refuse(at,
+           name +
+               " is on a periodic direction: make it non-periodic with the boundary command (f)");
+
+  LBFace &f = o.face[d][side];
+  const std::string kind = next("wall, pressure or velocity");
+  if (kind == "wall") {
+    f.kind = FaceKind::WALL;
+    if (follows_number()) f.u = vector(name + " wall");
+    if (!f.u[d].zero())
+      refuse(at, name + " wall: the velocity normal to a wall must be the number 0");
+  } else if (kind == "pressure") {
+    f.kind = FaceKind::PRESSURE;
+    f.p = value(name + " pressure");
+  } else if (kind == "velocity") {
+    f.kind = FaceKind::VELOCITY;
+    f.u = vector(name + " velocity");
+  } else {
+    refuse(at, name + ": '" + kind + "' is none of wall, pressure, velocity");
+  }
+  if (domain->dimension == 2 && !f.u[2].zero())
+    refuse(at, name + ": the z component of a velocity must be 0 with dimension 2");
+}
+
+void LBOptionsParser::check_faces() const
+{
+  auto open = [&](int d, int side) {
+    return o.face[d][side].kind == FaceKind::PRESSURE || o.face[d][side].kind == FaceKind::VELOCITY;
+  };
+  for (int d = 0; d < domain->dimension; d++)
+    for (int side = 0; side < 2; side++) {
+      if (!domain->periodicity[d] && o.face[d][side].kind == FaceKind::PERIODIC)
+        error->all(FLERR,
+                   "Fix lb/ibb: face {} is missing: every face of a non-periodic direction must "
+                   "be a wall, a pressure or a velocity face, or the direction periodic",
+                   FACE[d][side]);
+      for (int other = d + 1; other < domain->dimension; other++)
+        for (int s = 0; s < 2; s++)
+          if (open(d, side) && open(other, s))
+            error->all(FLERR,
+                       "Fix lb/ibb: open faces {} and {} meet in an edge, where the flow is "
+                       "undefined: make one direction periodic or walls",
+                       FACE[d][side], FACE[other][s]);
+    }
+}
+
+// ---------------------------------------------------------------------- words and numbers
+
+const char *LBOptionsParser::next(const std::string &what)
+{
+  if (++iarg >= narg) utils::missing_cmd_args(FLERR, "fix lb/ibb " + what, error);
+  return arg[iarg];
+}
+
+double LBOptionsParser::number(const std::string &what)
+{
+  const double x = utils::numeric(FLERR, next(what), false, lmp);
+  if (!std::isfinite(x)) error->all(FLERR, "Fix lb/ibb: {} = {} is not a finite number", what, x);
+  return x;
+}
+
+double LBOptionsParser::positive(const std::string &what)
+{
+  const double x = number(what);
+  if (x <= 0.0) error->all(FLERR, "Fix lb/ibb: {} = {} must be larger than 0", what, x);
+  return x;
+}
+
+int LBOptionsParser::count(const std::string &what)
+{
+  const int at = iarg;
+  const int n = utils::inumeric(FLERR, next(what), false, lmp);
+  if (n < 1) refuse(at, std::to_string(n) + " must be at least 1");
+  return n;
+}
+
+// is the next word a number or a variable, and so still part of this keyword?
+bool LBOptionsParser::follows_number() const
+{
+  if (iarg + 1 >= narg) return false;
+  const std::string word = arg[iarg + 1];
+  return utils::is_double(word) || utils::strmatch(word, "^v_") ||
+      utils::strmatch(word, "^[+-]?(nan|inf)");
+}
+
+LBValue LBOptionsParser::value(const std::string &what)
+{
+  LBValue v;
+  if (iarg + 1 < narg && utils::strmatch(arg[iarg + 1], "^v_"))
+    v.variable = next(what) + 2;
+  else
+    v.constant = number(what);
+  return v;
+}
+
+LBVector LBOptionsParser::vector(const std::string &what)
+{
+  LBVector v;
+  for (auto &component : v) component = value(what);
+  return v;
+}

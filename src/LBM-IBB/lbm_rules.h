@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Rules a set-up has to keep, each with the value, the limit and the remedy. Physical units.
+//
+// A rule that is broken gives a finding: fatal ones stop the run before its first step.
+
+#ifndef LBM_RULES_H
+#define LBM_RULES_H
+
+#include "lbm_units.h"
+
+#include <string>
+#include <vector>
+
+namespace lbm {
+
+constexpr double MACH_WARN = 0.1, MACH_LIMIT = 0.3;          // Mansouri et al. 2016, section 3.2
+constexpr double EXCESS_WARN = 0.05, EXCESS_LIMIT = 0.20;    // of the density
+constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;      // cells per radius, section 4.1
+constexpr double TAU_LOW = 0.51, TAU_HIGH = 3.0;
+
+struct Finding {
+  bool fatal;
+  std::string text;
+};
+
+struct Plan {
+  Units units;
+  double nu;
+  int every;                     // granular steps per fluid step
+  double pressure_difference;    // largest between two pressure faces; 0 if there are none
+  double face_speed;             // largest speed prescribed at a face
+  double smallest_radius;        // hydrodynamic; 0 if there are no grains
+};
+
+std::vector<Finding> review(const Plan &plan);
+
+// Box length L along one direction must be a whole number n >= 3 of cells; returns n, or 0 and the
+// reason in text
+int cells(double L, double dx, const char *direction, std::string &text);
+
+// largest tau whose density change under a pressure difference stays below eps:
+// (tau - 1/2)^2 <= 3 eps rho nu^2 / (dp dx^2)
+double largest_tau(double eps, const Units &units, double nu, double pressure_difference);
+
+}    // namespace lbm
+#endif
