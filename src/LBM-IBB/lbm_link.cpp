@@ -14,6 +14,18 @@ void Links::clear()
   size = at_open_faces = 0;
 }
 
+void Links::trim()
+{
+  auto fit = [this](auto &list) {
+    list.resize(size);
+    list.shrink_to_fit();
+  };
+  fit(node);
+  fit(q);
+  for (auto &component : arm) fit(component);
+  gaps.shrink_to_fit();
+}
+
 double Links::bytes() const
 {
   return double(node.capacity() * sizeof(uint32_t) + q.capacity() * sizeof(double) +

@@ -54,6 +54,7 @@ struct Links {
   std::vector<Bits> bits;    // scratch of find_links()
 
   void clear();
+  void trim();    // give back what is allocated and not in use
   double bytes() const;
 };
 

@@ -191,6 +191,7 @@ namespace {
     {
       list.clear();
       for (std::size_t s = 0; s < now->spheres().size(); s++) find_links<L>(at, *now, s, list);
+      list.trim();
       kept_links = true;
       nlinks = ngaps = 0;
       count_links();

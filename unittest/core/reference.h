@@ -371,8 +371,7 @@ class Solver {
   }
 
   // Two neighbouring nodes under two spheres, or images: fluid at rest between them, of the density
-  // around them, would press them apart in the middle. Both look at it, and each does half; not
-  // where the other's node lies in oneself.
+  // around them, would press them apart in the middle. Both look at it, and each does half.
   void press_apart()
   {
     for (std::size_t x = 0; x < nodes(); x++) {
@@ -383,13 +382,13 @@ class Solver {
         for (int d = 0; d < 3; d++) there[d] += dirs[i].c[d];
         if (place(there) != SOLID) continue;
         const Owner &other = owner[index(there)];
-        Vec arm, middle;    // of the other's node and of the middle of the link, from my centre
+        bool same = mine.sphere == other.sphere;    // and not another image of it
+        Vec middle;                                 // of the link, from my centre
         for (int d = 0; d < 3; d++) {
-          arm[d] = mine.arm[d] + dirs[i].c[d];
+          same = same && mine.arm[d] + dirs[i].c[d] == other.arm[d];
           middle[d] = mine.arm[d] + 0.5 * dirs[i].c[d];
         }
-        const double r = spheres[mine.sphere].radius;
-        if (dot(arm, arm) < r * r) continue;
+        if (same) continue;
         const double drho = 0.5 * (spheres[mine.sphere].drho + spheres[other.sphere].drho);
         Vec F;
         for (int d = 0; d < 3; d++) F[d] = -dirs[i].w * drho * dirs[i].c[d];

@@ -89,12 +89,12 @@ TEST(Grains, MassIsKeptByHalfwayWallsAndDriftsLittleWithTheOthers)
   }
 }
 
-// Pairs that hide links from each other: .1 apart, touching, overlapping by .02, one node apart
+// Pairs that hide links from each other: .1 apart, touching, overlapping, one node apart
 std::vector<Sphere> pairs(const Vec3 &velocity)
 {
   const double r = 3.2;
   std::vector<Sphere> list;
-  const double gap[] = {0.1, 0.0, -0.02, 1.1};
+  const double gap[] = {0.1, 0.0, -0.4, 1.1};
   const Vec3 way[] = {{1, 0, 0}, {0.6, 0.8, 0}, {0.48, 0.6, 0.64}, {0.0, -0.6, 0.8}};
   for (int k = 0; k < 4; k++) {
     const Vec3 c{6.2 + 14.3 * (k % 2), 7.3 + 14.1 * (k / 2), 6.9};
