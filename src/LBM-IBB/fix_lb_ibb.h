@@ -86,33 +86,43 @@ class FixLbIbb : public Fix {
   std::vector<lbm::Load> loads;
   lbm::Survey survey;
   bigint survey_step;
-  double surface_speed;    // largest of any grain's surface in the last fluid step, lattice units
+  // the grain whose surface was fastest in the last fluid step, lattice units
+  struct Fastest {
+    double speed, id;
+    lbm::Vec3 place;
+  } fastest;
 
   // set-up, in fix_lb_ibb_setup.cpp
   void check_scene();
+  void check_offset();
   void check_order_of_fixes();
   void find_variables();
   void review_setup();
   void provide_ghosts();
   void create_fluid();
-  void print_summary(double smallest, double largest, double pressure_difference);
+  void print_summary(double smallest, double largest);
   double largest_radius(double &smallest);
 
   // the step
   double evaluate(const LBValue &value);
   void evaluate_all();
+  void check_faces();
   void place_grains();
   void give_forces();
-  void check_displacement(int i, const lbm::Vec3 &place);
+  void check_grain(int i, const lbm::Sphere &s);
+  void check_displacement(int i, const lbm::Sphere &s);
   double hydrodynamic_radius(int i) const;
 
   // watching
   void take_survey();
   void check_stability();
+  void find_fastest();
   [[noreturn]] void stop(const lbm::Int3 &node, const std::string &what);
   lbm::Vec3 total_force();
 
-  lbm::Vec3 gradp_now, buoyancy_now;    // physical
+  // physical values of the last evaluation
+  lbm::Vec3 gradp_now, buoyancy_now;
+  double pressure_difference, face_speed;    // largest at the faces, the former from rest as well
 };
 
 }    // namespace LAMMPS_NS

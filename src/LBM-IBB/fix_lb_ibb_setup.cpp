@@ -43,21 +43,20 @@ void FixLbIbb::init()
   find_variables();
   if (fluid_steps == 0)
     create_fluid();
-  else if (units.dt != nevery * update->dt)
-    error->all(FLERR,
-               "Fix lb/ibb: the fluid has run with time step {} and cannot go on with {}: keep "
-               "timestep, or define the fix anew",
-               units.dt, nevery * update->dt);
+  else
+    reset_dt();
   provide_ghosts();
 }
 
-// timestep changed between runs: init() sees it; changed within a run by another fix: refuse
+// a change of timestep between runs, or within a run by another fix
 void FixLbIbb::reset_dt()
 {
   if (fluid_steps > 0 && units.dt != nevery * update->dt)
-    error->all(FLERR,
-               "Fix lb/ibb: the time step was changed from {} to {} while the fluid is moving",
-               units.dt / nevery, update->dt);
+    error->all(
+        FLERR,
+        "Fix lb/ibb: the fluid has run with timestep {} and cannot go on with {}: keep it, or "
+        "define the fix anew",
+        units.dt / nevery, update->dt);
 }
 
 void FixLbIbb::check_scene()
@@ -90,24 +89,21 @@ void FixLbIbb::check_scene()
   if (group->count(igroup) > 0 && !(atom->radius_flag && atom->omega_flag && atom->torque_flag))
     error->all(FLERR, "Fix lb/ibb: grains need radius, omega and torque: use atom_style sphere");
 
-  if (modify->get_fix_by_style("^lb/ibb$").size() > 1)
-    error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box; there are two such fixes");
+  for (auto *other : modify->get_fix_by_style("^lb/(ibb|fluid)$"))
+    if (other != this)
+      error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box: unfix {} or {}", id,
+                 other->id);
   for (auto *other : modify->get_fix_list()) {
     if (utils::strmatch(other->style, "^dt/reset"))
       error->all(FLERR,
                  "Fix lb/ibb cannot be used with fix {}: the fluid needs a constant time step",
                  other->style);
     if (other->diam_flag)
-      error->all(FLERR, "Fix lb/ibb: fix {} changes radii, which the fluid does not follow",
+      error->all(FLERR,
+                 "Fix lb/ibb: fix {} changes radii, which the fluid does not follow: unfix it",
                  other->id);
   }
-  int dim;
-  auto *offset = force->pair ? (double *) force->pair->extract("offset", dim) : nullptr;
-  if (options.shrink > 0.0 && offset && *offset > 0.0)
-    error->all(FLERR,
-               "Fix lb/ibb: shrink {} and the contact offset {} of pair style {} are two ways of "
-               "the same thing: use one",
-               options.shrink, *offset, force->pair_style);
+  check_offset();
   if (fluid_steps == 0 && update->ntimestep % nevery)
     error->all(
         FLERR,
@@ -121,6 +117,24 @@ void FixLbIbb::check_scene()
                "Fix lb/ibb: the last fluid step was at step {}, now it is step {}: the time step "
                "counter was changed",
                last_step, update->ntimestep);
+}
+
+// radii made smaller for the fluid and larger for contacts would do the same thing twice
+void FixLbIbb::check_offset()
+{
+  if (options.shrink == 0.0) return;
+  auto check = [&](void *offset, const std::string &what) {
+    if (offset && *(double *) offset > 0.0)
+      error->all(FLERR,
+                 "Fix lb/ibb: shrink {} and the contact offset {} of {} are two ways of the same "
+                 "thing: use one",
+                 options.shrink, *(double *) offset, what);
+  };
+  int dim;
+  if (force->pair)
+    check(force->pair->extract("offset", dim), fmt::format("pair style {}", force->pair_style));
+  for (auto *other : modify->get_fix_by_style("^wall/gran"))
+    check(other->extract("offset", dim), fmt::format("fix {}", other->id));
 }
 
 // forces are added in the order of the fixes: those that overrule forces must come later
@@ -141,9 +155,12 @@ void FixLbIbb::find_variables()
   auto check = [&](const LBValue &value) {
     if (value.variable.empty()) return;
     const int i = input->variable->find(value.variable.c_str());
-    if (i < 0) error->all(FLERR, "Fix lb/ibb: variable {} does not exist", value.variable);
+    if (i < 0)
+      error->all(FLERR, "Fix lb/ibb: variable {} does not exist: define it before the run",
+                 value.variable);
     if (!input->variable->equalstyle(i))
-      error->all(FLERR, "Fix lb/ibb: variable {} is not of style equal", value.variable);
+      error->all(FLERR, "Fix lb/ibb: variable {} is not of style equal: define it as such",
+                 value.variable);
   };
   for (int d = 0; d < 3; d++) {
     check(options.accel[d]);
@@ -186,9 +203,16 @@ void FixLbIbb::create_fluid()
   // a single message for what no user can mend but by other numbers
   for (const auto &finding : lbm::review({units, options.nu, nevery, 0.0, 0.0, 0.0}))
     if (finding.fatal) error->all(FLERR, "Fix lb/ibb: {}", finding.text);
+  fluid.reset();    // it refers to the neighbours, and two fluids may not fit into memory
   neighbours = std::make_unique<lbm::MpiNeighbours>(world, rank);
-  fluid.reset();
-  fluid = lbm::Fluid::create(s, fields->lo(), n, nodes, *neighbours);
+  try {
+    fluid = lbm::Fluid::create(s, fields->lo(), n, nodes, *neighbours);
+  } catch (std::exception &failure) {
+    error->one(FLERR,
+               "Fix lb/ibb: no room for {} x {} x {} nodes on one rank ({}): use more ranks, or a "
+               "larger dx",
+               n[0], n[1], n[2], failure.what());
+  }
 }
 
 // radii over all ranks, and of grains that other fixes will insert
@@ -235,22 +259,8 @@ void FixLbIbb::provide_ghosts()
 void FixLbIbb::review_setup()
 {
   evaluate_all();
-  lbm::Plan plan{units, options.nu, nevery, 0.0, 0.0, 0.0};
-  double low = 0.0, high = 0.0;
-  bool first = true;
-  for (int d = 0; d < domain->dimension; d++)
-    for (const LBFace &face : options.face[d]) {
-      if (face.kind == lbm::FaceKind::PRESSURE) {
-        const double p = evaluate(face.p);
-        low = first ? std::min(0.0, p) : std::min(low, p);
-        high = first ? std::max(0.0, p) : std::max(high, p);
-        first = false;
-      }
-      Vec3 u;
-      for (int k = 0; k < 3; k++) u[k] = evaluate(face.u[k]);
-      plan.face_speed = std::max(plan.face_speed, std::sqrt(lbm::dot(u, u)));
-    }
-  plan.pressure_difference = high - low;
+  if (fluid_steps == 0) fluid->fill(0.0);    // at rest under the force that acts from now on
+  lbm::Plan plan{units, options.nu, nevery, pressure_difference, face_speed, 0.0};
   const double largest = largest_radius(plan.smallest_radius);
   if (plan.smallest_radius <= 0.0 && atom->radius_flag && group->count(igroup) > 0)
     error->all(
@@ -269,11 +279,11 @@ void FixLbIbb::review_setup()
           "Fix lb/ibb: ghost cutoff {} is too small, {} is needed (largest radius + 2 dx + skin): "
           "use comm_modify cutoff",
           comm->cutghost[d], largest + 2.0 * options.dx + neighbor->skin);
-  print_summary(plan.smallest_radius, largest, plan.pressure_difference);
+  print_summary(plan.smallest_radius, largest);
 }
 
 // what the run will do, what it will cost, and what it leaves out
-void FixLbIbb::print_summary(double smallest, double largest, double pressure_difference)
+void FixLbIbb::print_summary(double smallest, double largest)
 {
   static const char *link[] = {"halfway", "bouzidi", "cli"};
   static const char *refill[] = {"grad", "equilibrium"};

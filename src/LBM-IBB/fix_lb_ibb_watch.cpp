@@ -43,9 +43,7 @@ void FixLbIbb::check_stability()
 {
   const lbm::Survey mine = survey;
   lbm::reduce(survey, *neighbours);
-  double speed = surface_speed;
-  neighbours->max(&speed, 1);
-  surface_speed = speed;
+  find_fastest();
 
   const double limit = lbm::MACH_LIMIT / std::sqrt(3.0);
   if (survey.bad || survey.speed.value > limit) {
@@ -64,13 +62,28 @@ void FixLbIbb::check_stability()
                      survey.speed.value * units.velocity(), survey.speed.value * std::sqrt(3.0),
                      lbm::MACH_LIMIT));
   }
-  if (surface_speed > limit)
+  if (fastest.speed > limit) {
+    double at[3];
+    for (int d = 0; d < 3; d++) at[d] = domain->boxlo[d] + fastest.place[d] * units.dx;
     error->all(
         FLERR,
-        "Fix lb/ibb: stopped at step {}: the surface of a grain moves at {:.4g}, Ma = "
-        "{:.3g}, limit {}: reduce the fluid time step (timestep, every), or the grain's speed",
-        update->ntimestep, surface_speed * units.velocity(), surface_speed * std::sqrt(3.0),
-        lbm::MACH_LIMIT);
+        "Fix lb/ibb: stopped at step {}, fluid step {}: grain {} at ({:.6g}, {:.6g}, {:.6g}) "
+        "has a surface that moves at {:.4g}, Ma = {:.3g}, limit {}. Likely cause: the grain "
+        "is too fast for the fluid time step; reduce timestep or every",
+        update->ntimestep, fluid_steps, (tagint) fastest.id, at[0], at[1], at[2],
+        fastest.speed * units.velocity(), fastest.speed * std::sqrt(3.0), lbm::MACH_LIMIT);
+  }
+}
+
+// of all ranks
+void FixLbIbb::find_fastest()
+{
+  struct {
+    double speed;
+    int rank;
+  } most{fastest.speed, comm->me};
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
+  MPI_Bcast(&fastest, sizeof(fastest), MPI_BYTE, most.rank, world);
 }
 
 // the same message on every rank: place, time, nearest grain, numbers that matter, likely cause
@@ -169,7 +182,7 @@ double FixLbIbb::compute_vector(int n)
   take_survey();
   switch (n) {
     case 2:
-      return std::max(survey.speed.value, surface_speed) * std::sqrt(3.0);
+      return std::max(survey.speed.value, fastest.speed) * std::sqrt(3.0);
     case 3:
       return 1.0 + survey.drho_min.value;
     case 4:

@@ -30,7 +30,7 @@ LBOptionsParser::LBOptionsParser(LAMMPS *lmp, int narg_, char **arg_) :
 
 void LBOptionsParser::refuse(int at, const std::string &why) const
 {
-  error->all(FLERR, "Fix lb/ibb keyword {}: {}", arg[at], why);
+  error->all(FLERR, at, "Fix lb/ibb keyword {}: {}", arg[at], why);
 }
 
 LBOptions LBOptionsParser::parse()
@@ -39,7 +39,7 @@ LBOptions LBOptionsParser::parse()
   for (auto [name, place] :
        {std::pair<const char *, double *>{"dx", &o.dx}, {"nu", &o.nu}, {"rho", &o.rho}}) {
     if (arg[iarg] != std::string(name))
-      error->all(FLERR,
+      error->all(FLERR, iarg,
                  "Fix lb/ibb: expected '{}', not '{}': fix ID group lb/ibb dx ... nu ... rho ...",
                  name, arg[iarg]);
     *place = positive(name);
@@ -50,9 +50,7 @@ LBOptions LBOptionsParser::parse()
     std::string name = arg[iarg];
     if (name == "face" && iarg + 1 < narg) name += std::string(" ") + arg[iarg + 1];
     if (!seen.insert(name).second)
-      error->all(FLERR,
-                 "Fix lb/ibb: '{}' is given twice; the first was at an earlier place of the line",
-                 name);
+      error->all(FLERR, iarg, "Fix lb/ibb: '{}' is given twice: remove one of them", name);
     keyword();
     iarg++;
   }
@@ -96,7 +94,7 @@ void LBOptionsParser::keyword()
   } else if (name == "shrink") {
     const int at = iarg;
     o.shrink = number("shrink");
-    if (o.shrink < 0.0) refuse(at, "must not be negative");
+    if (o.shrink < 0.0) refuse(at, fmt::format("{} must not be negative", o.shrink));
   } else if (name == "accel") {
     o.accel = vector(name);
   } else if (name == "gradp") {
@@ -108,7 +106,7 @@ void LBOptionsParser::keyword()
   } else if (name == "face") {
     face();
   } else {
-    error->all(FLERR,
+    error->all(FLERR, iarg,
                "Fix lb/ibb: unknown keyword '{}'; known are every, collision, link, refill, "
                "face, accel, gradp, buoyancy, shrink, average, check",
                name);
@@ -126,7 +124,8 @@ void LBOptionsParser::face()
     if (side < 2) break;
   }
   if (d == 3) refuse(at, "'" + name + "' is none of xlo, xhi, ylo, yhi, zlo, zhi");
-  if (d == 2 && domain->dimension == 2) refuse(at, name + " has no meaning with dimension 2");
+  if (d == 2 && domain->dimension == 2)
+    refuse(at, name + " has no meaning with dimension 2: remove it");
   if (domain->periodicity[d])
     refuse(at,
            name +
@@ -138,7 +137,10 @@ void LBOptionsParser::face()
     f.kind = FaceKind::WALL;
     if (follows_number()) f.u = vector(name + " wall");
     if (!f.u[d].zero())
-      refuse(at, name + " wall: the velocity normal to a wall must be the number 0");
+      refuse(at,
+             fmt::format("{} wall moves with {} along {}, through itself: this component must be "
+                         "the number 0; fluid enters through a velocity face",
+                         name, f.u[d].text(), "xyz"[d]));
   } else if (kind == "pressure") {
     f.kind = FaceKind::PRESSURE;
     f.p = value(name + " pressure");
@@ -149,7 +151,9 @@ void LBOptionsParser::face()
     refuse(at, name + ": '" + kind + "' is none of wall, pressure, velocity");
   }
   if (domain->dimension == 2 && !f.u[2].zero())
-    refuse(at, name + ": the z component of a velocity must be 0 with dimension 2");
+    refuse(at,
+           fmt::format("{}: the z component of the velocity is {}, it must be 0 with dimension 2",
+                       name, f.u[2].text()));
 }
 
 void LBOptionsParser::check_faces() const
@@ -157,7 +161,8 @@ void LBOptionsParser::check_faces() const
   auto open = [&](int d, int side) {
     return o.face[d][side].kind == FaceKind::PRESSURE || o.face[d][side].kind == FaceKind::VELOCITY;
   };
-  for (int d = 0; d < domain->dimension; d++)
+  for (int d = 0; d < domain->dimension; d++) {
+    check_flux(d);
     for (int side = 0; side < 2; side++) {
       if (!domain->periodicity[d] && o.face[d][side].kind == FaceKind::PERIODIC)
         error->all(FLERR,
@@ -172,6 +177,22 @@ void LBOptionsParser::check_faces() const
                        "undefined: make one direction periodic or walls",
                        FACE[d][side], FACE[other][s]);
     }
+  }
+}
+
+// Where no pressure face lets the fluid leave as it likes, what enters must leave: otherwise the
+// density would rise or fall without end. Variables are the user's affair.
+void LBOptionsParser::check_flux(int d) const
+{
+  const LBFace &lo = o.face[d][0], &hi = o.face[d][1];
+  auto given = [&](const LBFace &f) {
+    return (f.kind == FaceKind::WALL || f.kind == FaceKind::VELOCITY) && f.u[d].variable.empty();
+  };
+  if (given(lo) && given(hi) && lo.u[d].constant != hi.u[d].constant)
+    error->all(FLERR,
+               "Fix lb/ibb: faces {} and {} contradict each other: the fluid moves with {} through "
+               "one and {} through the other: make them equal, or one a pressure face",
+               FACE[d][0], FACE[d][1], lo.u[d].constant, hi.u[d].constant);
 }
 
 // ---------------------------------------------------------------------- words and numbers
@@ -185,14 +206,15 @@ const char *LBOptionsParser::next(const std::string &what)
 double LBOptionsParser::number(const std::string &what)
 {
   const double x = utils::numeric(FLERR, next(what), false, lmp);
-  if (!std::isfinite(x)) error->all(FLERR, "Fix lb/ibb: {} = {} is not a finite number", what, x);
+  if (!std::isfinite(x))
+    error->all(FLERR, iarg, "Fix lb/ibb: {} = {} is not a finite number", what, x);
   return x;
 }
 
 double LBOptionsParser::positive(const std::string &what)
 {
   const double x = number(what);
-  if (x <= 0.0) error->all(FLERR, "Fix lb/ibb: {} = {} must be larger than 0", what, x);
+  if (x <= 0.0) error->all(FLERR, iarg, "Fix lb/ibb: {} = {} must be larger than 0", what, x);
   return x;
 }
 

@@ -24,6 +24,10 @@ struct LBValue {
   double constant = 0.0;
   std::string variable;
   bool zero() const { return variable.empty() && constant == 0.0; }
+  std::string text() const
+  {
+    return variable.empty() ? fmt::format("{}", constant) : "v_" + variable;
+  }
 };
 
 using LBVector = std::array<LBValue, 3>;
@@ -58,6 +62,7 @@ class LBOptionsParser : protected Pointers {
   void keyword();
   void face();
   void check_faces() const;
+  void check_flux(int d) const;
   [[noreturn]] void refuse(int at, const std::string &why) const;
   const char *next(const std::string &what);
   double number(const std::string &what);

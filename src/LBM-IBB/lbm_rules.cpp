@@ -24,9 +24,10 @@ namespace {
     if (!(tau > 0.5) || !std::isfinite(tau))
       found.push_back(
           {true,
-           print("relaxation time tau = %g must be larger than 1/2: viscosity, time step "
-                 "and spacing give no such value",
-                 tau)});
+           print("relaxation time tau = %g must be larger than 1/2, and 1/2 + 3 nu dt/dx^2 with nu "
+                 "= %g, "
+                 "a fluid time step of %g and dx = %g is not: enlarge timestep or every",
+                 tau, p.nu, p.units.dt, p.units.dx)});
     else if (tau < TAU_LOW)
       found.push_back(
           {false,
@@ -113,17 +114,16 @@ int cells(double L, double dx, const char *direction, std::string &text)
     text = print("box length %g along %s is %.4g cells of dx = %g: too many", L, direction, n, dx);
     return 0;
   }
-  if (std::fabs(n - whole) > 1e-6 * std::fmax(n, 1.0)) {
-    const double below = std::fmax(std::floor(n), 1.0);
+  if (n < 3.0 * (1.0 - 1e-6)) {
+    text = print("box length %g along %s is %g cells of dx = %g: at least 3 are needed, dx <= %.6g",
+                 L, direction, n, dx, L / 3.0);
+    return 0;
+  }
+  if (std::fabs(n - whole) > 1e-6 * n) {
     text =
         print("dx = %.8g does not divide the box length %.8g along %s (%.6g cells): nearest that "
               "do are %.10g and %.10g",
-              dx, L, direction, n, L / (below + 1.0), L / below);
-    return 0;
-  }
-  if (whole < 3.0) {
-    text = print("box length %g along %s is %g cells of dx = %g: at least 3 are needed, dx <= %.6g",
-                 L, direction, whole, dx, L / 3.0);
+              dx, L, direction, n, L / (std::floor(n) + 1.0), L / std::floor(n));
     return 0;
   }
   return int(whole);
