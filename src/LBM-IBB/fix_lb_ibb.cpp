@@ -29,6 +29,7 @@
 #include "update.h"
 #include "variable.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace LAMMPS_NS;
@@ -52,10 +53,9 @@ static const char cite_fix_lb_ibb[] =
 // ---------------------------------------------------------------------- birth and death
 
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid_steps(0), steps_at_run_start(0), last_step(-1), wall_start(0.0),
-    fluid_time(0.0), grain_time(0.0), ghosted(nullptr), nghosted(0),
-    survey_step(-1), fastest{}, gradp_now{}, buoyancy_now{}, pressure_difference(0.0),
-    face_speed(0.0)
+    Fix(lmp, narg, arg), fluid_steps(0), steps_at_run_start(0), first_step(-1), last_step(-1),
+    wall_start(0.0), fluid_time(0.0), grain_time(0.0), history(nullptr), ghosted(nullptr),
+    nghosted(0), survey_step(-1), fastest{}, drive{}, buoyancy_before{}
 {
   if (lmp->citeme) lmp->citeme->add(cite_fix_lb_ibb);
   if (domain->box_exist == 0)
@@ -69,12 +69,12 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   scalar_flag = vector_flag = peratom_flag = pergrid_flag = 1;
   size_vector = 14;
   extscalar = extvector = 0;
-  size_peratom_cols = 6;
+  size_peratom_cols = SHOWN;
   global_freq = peratom_freq = pergrid_freq = 1;
   comm_forward = OUT;
   comm_reverse = BACK;
   create_attribute = 1;
-  maxexchange = COLUMNS;
+  maxexchange = SHOWN + COLUMNS;
 
   units = {options.dx, options.every * update->dt, options.rho, domain->dimension};
   const char *direction[3] = {"x", "y", "z"};
@@ -96,6 +96,7 @@ FixLbIbb::~FixLbIbb()
   if (copymode) return;
   atom->delete_callback(id, Atom::GROW);
   memory->destroy(array_atom);
+  memory->destroy(history);
   memory->destroy(ghosted);
 }
 
@@ -105,14 +106,19 @@ int FixLbIbb::setmask()
 }
 
 // the fluid is not advanced here: "run 0" and repeated runs leave it alone
-void FixLbIbb::setup(int vflag)
+void FixLbIbb::setup(int)
 {
   review_setup();
   survey_step = -1;    // forces may have changed, and the velocity has half of one in it
   steps_at_run_start = fluid_steps;
   wall_start = platform::walltime();
   fluid_time = grain_time = 0.0;
-  post_force(vflag);
+  // The velocities are to be integrated with the forces that were there when the last run ended:
+  // if it ended with a fluid step, those of before.
+  if (update->ntimestep == last_step)
+    add_forces(history, buoyancy_before);
+  else
+    add_forces(array_atom, drive.buoyancy);
 }
 
 // ---------------------------------------------------------------------- the step
@@ -120,16 +126,22 @@ void FixLbIbb::setup(int vflag)
 // every granular step: the force of the last fluid steps is held
 void FixLbIbb::post_force(int)
 {
+  add_forces(array_atom, drive.buoyancy);
+}
+
+// held[i]: force and torque
+void FixLbIbb::add_forces(double **held, const Vec3 &gravity)
+{
   double **f = atom->f, **torque = atom->torque;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     for (int d = 0; d < 3; d++) {
-      f[i][d] += array_atom[i][FORCE + d];
-      torque[i][d] += array_atom[i][TORQUE + d];
+      f[i][d] += held[i][FORCE + d];
+      torque[i][d] += held[i][TORQUE + d];
     }
     if (options.has_buoyancy) {
       const double mass = options.rho * units.grain_volume(hydrodynamic_radius(i));
-      for (int d = 0; d < 3; d++) f[i][d] -= mass * buoyancy_now[d];
+      for (int d = 0; d < 3; d++) f[i][d] -= mass * gravity[d];
     }
   }
 }
@@ -138,8 +150,10 @@ void FixLbIbb::post_force(int)
 void FixLbIbb::end_of_step()
 {
   const double start = platform::walltime();
-  evaluate_all();
+  buoyancy_before = drive.buoyancy;
+  drive = evaluate_all();
   check_faces();
+  drive_fluid(drive);
   place_grains();
   const double placed = platform::walltime();
   fluid->follow(spheres);
@@ -165,45 +179,52 @@ double FixLbIbb::evaluate(const LBValue &value)
   return x;
 }
 
-// forces, face values and gravity of this fluid step, in the units each has its use for
-void FixLbIbb::evaluate_all()
+FixLbIbb::Drive FixLbIbb::evaluate_all()
 {
   modify->clearstep_compute();
-  Vec3 force;
+  Drive now{};
   for (int d = 0; d < 3; d++) {
-    gradp_now[d] = evaluate(options.gradp[d]);
-    buoyancy_now[d] = evaluate(options.buoyancy[d]);
-    force[d] = (options.rho * evaluate(options.accel[d]) - gradp_now[d]) / units.force_density();
+    now.gradp[d] = evaluate(options.gradp[d]);
+    now.buoyancy[d] = evaluate(options.buoyancy[d]);
+    now.force[d] = options.rho * evaluate(options.accel[d]) - now.gradp[d];
   }
   double low = 0.0, high = 0.0;
-  face_speed = 0.0;
   for (int d = 0; d < domain->dimension; d++)
     for (int side = 0; side < 2; side++) {
-      const LBFace &face = options.face[d][side];
-      if (face.kind == lbm::FaceKind::PERIODIC) continue;
-      Vec3 u;
-      for (int k = 0; k < 3; k++) u[k] = evaluate(face.u[k]);
-      const double p = evaluate(face.p), speed = std::sqrt(lbm::dot(u, u));
+      Vec3 &u = now.u[d][side];
+      for (int k = 0; k < 3; k++) u[k] = evaluate(options.face[d][side].u[k]);
+      now.face_speed = std::max(now.face_speed, std::sqrt(lbm::dot(u, u)));
+      const double p = now.p[d][side] = evaluate(options.face[d][side].p);
       low = std::min(low, p);
       high = std::max(high, p);
-      face_speed = std::max(face_speed, speed);
-      for (int k = 0; k < 3; k++) u[k] /= units.velocity();
-      fluid->set_face(d, side, u, units.density_excess(p));
     }
-  fluid->set_force(force);    // last: variables may ask for the fluid's velocity
-  pressure_difference = high - low;
+  now.pressure_difference = high - low;
   const bigint fluid_step = update->ntimestep - update->ntimestep % nevery;
   modify->addstep_compute(fluid_step + nevery);
+  return now;
+}
+
+void FixLbIbb::drive_fluid(const Drive &with)
+{
+  auto divided = [](Vec3 v, double unit) {
+    for (double &component : v) component /= unit;
+    return v;
+  };
+  fluid->set_force(divided(with.force, units.force_density()));
+  for (int d = 0; d < domain->dimension; d++)
+    for (int side = 0; side < 2; side++)
+      fluid->set_face(d, side, divided(with.u[d][side], units.velocity()),
+                      units.density_excess(with.p[d][side]));
 }
 
 // variables may have gone where no run would have been allowed to start
 void FixLbIbb::check_faces()
 {
-  if (units.density_excess(pressure_difference) <= lbm::EXCESS_LIMIT &&
-      face_speed <= lbm::MACH_LIMIT * units.sound_speed())
+  if (units.density_excess(drive.pressure_difference) <= lbm::EXCESS_LIMIT &&
+      drive.face_speed <= lbm::MACH_LIMIT * units.sound_speed())
     return;
   for (const auto &finding :
-       lbm::review({units, options.nu, nevery, pressure_difference, face_speed, 0.0}))
+       lbm::review({units, options.nu, nevery, drive.pressure_difference, drive.face_speed, 0.0}))
     if (finding.fatal)
       error->all(FLERR, "Fix lb/ibb: stopped at step {}, fluid step {}: {}", update->ntimestep,
                  fluid_steps, finding.text);
@@ -234,7 +255,7 @@ void FixLbIbb::place_grains()
       ghosted[i][d] = lbm::snap((atom->x[i][d] - domain->boxlo[d]) / units.dx);
       ghosted[i][3 + d] = atom->v[i][d] / units.velocity();
       ghosted[i][6 + d] = atom->omega[i][d] / units.spin();
-      ghosted[i][9] = array_atom[i][EXCESS];
+      ghosted[i][9] = history[i][EXCESS];
     }
   comm->forward_comm(this);
 
@@ -262,8 +283,8 @@ void FixLbIbb::place_grains()
 // what no run may go on with, and what check_stability() will look at
 void FixLbIbb::check_grain(int i, const lbm::Sphere &s)
 {
-  double *a = array_atom[i];
-  if (a[AGE] > 0.0)
+  double *past = history[i];
+  if (past[AGE] > 0.0)
     check_displacement(i, s);
   else if (!(s.radius >= lbm::RADIUS_LIMIT))
     error->one(FLERR,
@@ -271,7 +292,7 @@ void FixLbIbb::check_grain(int i, const lbm::Sphere &s)
                "limit {}: use dx <= {:.4g}",
                atom->tag[i], update->ntimestep, s.radius, lbm::RADIUS_LIMIT,
                hydrodynamic_radius(i) / lbm::RADIUS_LIMIT);
-  for (int d = 0; d < 3; d++) a[PLACE + d] = s.centre[d];
+  for (int d = 0; d < 3; d++) past[PLACE + d] = s.centre[d];
   const double speed =
       std::sqrt(lbm::dot(s.velocity, s.velocity)) + s.radius * std::sqrt(lbm::dot(s.spin, s.spin));
   if (speed > fastest.speed) fastest = {speed, double(s.id), s.centre};
@@ -281,7 +302,7 @@ void FixLbIbb::check_displacement(int i, const lbm::Sphere &s)
 {
   Vec3 step{};
   for (int d = 0; d < domain->dimension; d++) {
-    step[d] = s.centre[d] - array_atom[i][PLACE + d];
+    step[d] = s.centre[d] - history[i][PLACE + d];
     if (domain->periodicity[d]) step[d] -= nodes[d] * std::nearbyint(step[d] / nodes[d]);
   }
   const double moved = std::sqrt(lbm::dot(step, step));
@@ -321,48 +342,55 @@ void FixLbIbb::give_forces()
       set_arrays(i);    // it may have been in the group before
       continue;
     }
-    double *a = array_atom[i];
-    const double old = (options.average && a[AGE] > 0.0) ? 0.5 : 0.0;
+    double *held = array_atom[i], *past = history[i];
+    const double old = (options.average && past[AGE] > 0.0) ? 0.5 : 0.0;
     for (int k = 0; k < 6; k++) {
-      a[FORCE + k] = (1.0 - old) * ghosted[i][k] + old * a[LAST + k];
-      a[LAST + k] = ghosted[i][k];
+      past[BEFORE + k] = held[k];
+      held[k] = (1.0 - old) * ghosted[i][k] + old * past[LAST + k];
+      past[LAST + k] = ghosted[i][k];
     }
-    a[EXCESS] = ghosted[i][7] > 0.0 ? ghosted[i][6] / ghosted[i][7] : 0.0;
+    past[EXCESS] = ghosted[i][7] > 0.0 ? ghosted[i][6] / ghosted[i][7] : 0.0;
     if (options.has_gradp) {
       const double volume = units.grain_volume(hydrodynamic_radius(i));
-      for (int d = 0; d < 3; d++) a[FORCE + d] -= volume * gradp_now[d];
+      for (int d = 0; d < 3; d++) held[FORCE + d] -= volume * drive.gradp[d];
     }
-    a[AGE] += 1.0;
+    past[AGE] += 1.0;
   }
 }
 
 // ---------------------------------------------------------------------- per-atom data
 
+// array_atom has no hidden columns: atom-style variables stride by size_peratom_cols
 void FixLbIbb::grow_arrays(int nmax)
 {
-  memory->grow(array_atom, nmax, COLUMNS, "lb/ibb:array_atom");
+  memory->grow(array_atom, nmax, SHOWN, "lb/ibb:array_atom");
+  memory->grow(history, nmax, COLUMNS, "lb/ibb:history");
 }
 
 void FixLbIbb::copy_arrays(int i, int j, int)
 {
-  for (int k = 0; k < COLUMNS; k++) array_atom[j][k] = array_atom[i][k];
+  std::copy_n(array_atom[i], int(SHOWN), array_atom[j]);
+  std::copy_n(history[i], int(COLUMNS), history[j]);
 }
 
 void FixLbIbb::set_arrays(int i)
 {
-  for (int k = 0; k < COLUMNS; k++) array_atom[i][k] = 0.0;
+  std::fill_n(array_atom[i], int(SHOWN), 0.0);
+  std::fill_n(history[i], int(COLUMNS), 0.0);
 }
 
 int FixLbIbb::pack_exchange(int i, double *buf)
 {
-  for (int k = 0; k < COLUMNS; k++) buf[k] = array_atom[i][k];
-  return COLUMNS;
+  std::copy_n(array_atom[i], int(SHOWN), buf);
+  std::copy_n(history[i], int(COLUMNS), buf + SHOWN);
+  return SHOWN + COLUMNS;
 }
 
 int FixLbIbb::unpack_exchange(int i, double *buf)
 {
-  for (int k = 0; k < COLUMNS; k++) array_atom[i][k] = buf[k];
-  return COLUMNS;
+  std::copy_n(buf, int(SHOWN), array_atom[i]);
+  std::copy_n(buf + SHOWN, int(COLUMNS), history[i]);
+  return SHOWN + COLUMNS;
 }
 
 int FixLbIbb::pack_forward_comm(int n, int *list, double *buf, int, int *)
@@ -400,7 +428,7 @@ void FixLbIbb::unpack_reverse_comm(int n, int *list, double *buf)
 void FixLbIbb::reset_grid()
 {
   if (!fields->cut_changed()) return;
-  if (fluid_steps > 0)
+  if (has_started())
     error->all(FLERR,
                "Fix lb/ibb: the fluid cannot follow new sub-domains once it has moved: balance "
                "before the first run");
@@ -433,5 +461,5 @@ void *FixLbIbb::get_griddata_by_index(int index)
 double FixLbIbb::memory_usage()
 {
   return (fluid ? fluid->bytes() : 0.0) + fields->memory_usage() +
-      sizeof(double) * (double(atom->nmax) * COLUMNS + double(nghosted) * OUT);
+      sizeof(double) * (double(atom->nmax) * (SHOWN + COLUMNS) + double(nghosted) * OUT);
 }

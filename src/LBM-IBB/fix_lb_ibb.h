@@ -70,12 +70,17 @@ class FixLbIbb : public Fix {
   std::unique_ptr<class LBFields> fields;    // also decides which nodes are this rank's
   std::unique_ptr<lbm::MpiNeighbours> neighbours;
   std::unique_ptr<lbm::Fluid> fluid;
-  bigint fluid_steps, steps_at_run_start, last_step;
+  bigint fluid_steps, steps_at_run_start, first_step, last_step;
+  // from then on the fluid is not made anew
+  bool has_started() const;
   double wall_start, fluid_time, grain_time;    // seconds of wall time, the latter two in this run
 
-  // columns of array_atom; the first six are seen by the user. LAST: of the last fluid step alone;
-  // PLACE: where the grain was then; AGE: fluid steps seen; EXCESS: mean density excess around it
-  enum { FORCE = 0, TORQUE = 3, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, COLUMNS = 17 };
+  // columns of array_atom, which is for all to see, and of history: force and torque before the last
+  // fluid step, those of that step alone, where the grain was then, fluid steps it has seen, and the
+  // mean density excess around it
+  enum { FORCE = 0, TORQUE = 3, SHOWN = 6 };
+  enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, COLUMNS = 17 };
+  double **history;
   // by local and ghost atom; out go place, velocity, spin and EXCESS, back come force, torque, and
   // the two sums whose ratio is the density excess
   enum { OUT = 10, BACK = 8 };
@@ -100,13 +105,23 @@ class FixLbIbb : public Fix {
   void review_setup();
   void provide_ghosts();
   void create_fluid();
-  void print_summary(double smallest, double largest);
+  void print_summary(double smallest, double largest, double pressure_difference);
   double largest_radius(double &smallest);
 
   // the step
+  // what drives the fluid, from variables and constants; physical
+  struct Drive {
+    lbm::Vec3 force, gradp, buoyancy;    // force on a volume of fluid, gradp's part included
+    lbm::Vec3 u[3][2];                   // at the faces
+    double p[3][2];
+    double pressure_difference, face_speed;    // largest at the faces, the former from rest as well
+  } drive;
+  lbm::Vec3 buoyancy_before;
   double evaluate(const LBValue &value);
-  void evaluate_all();
+  Drive evaluate_all();
+  void drive_fluid(const Drive &with);
   void check_faces();
+  void add_forces(double **held, const lbm::Vec3 &gravity);
   void place_grains();
   void give_forces();
   void check_grain(int i, const lbm::Sphere &s);
@@ -119,10 +134,6 @@ class FixLbIbb : public Fix {
   void find_fastest();
   [[noreturn]] void stop(const lbm::Int3 &node, const std::string &what);
   lbm::Vec3 total_force();
-
-  // physical values of the last evaluation
-  lbm::Vec3 gradp_now, buoyancy_now;
-  double pressure_difference, face_speed;    // largest at the faces, the former from rest as well
 };
 
 }    // namespace LAMMPS_NS

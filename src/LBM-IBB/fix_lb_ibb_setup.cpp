@@ -36,12 +36,17 @@
 using namespace LAMMPS_NS;
 using lbm::Vec3;
 
+bool FixLbIbb::has_started() const
+{
+  return fluid_steps > 0 || (first_step >= 0 && update->ntimestep > first_step);
+}
+
 void FixLbIbb::init()
 {
   check_scene();
   check_order_of_fixes();
   find_variables();
-  if (fluid_steps == 0)
+  if (!has_started())
     create_fluid();
   else
     reset_dt();
@@ -51,12 +56,12 @@ void FixLbIbb::init()
 // a change of timestep between runs, or within a run by another fix
 void FixLbIbb::reset_dt()
 {
-  if (fluid_steps > 0 && units.dt != nevery * update->dt)
-    error->all(
-        FLERR,
-        "Fix lb/ibb: the fluid has run with timestep {} and cannot go on with {}: keep it, or "
-        "define the fix anew",
-        units.dt / nevery, update->dt);
+  if (has_started() && units.dt != nevery * update->dt)
+    error->all(FLERR,
+               "Fix lb/ibb: the fluid has run with timestep {:.8g} and cannot go on with {:.8g}: "
+               "keep it, or "
+               "define the fix anew",
+               units.dt / nevery, update->dt);
 }
 
 void FixLbIbb::check_scene()
@@ -89,10 +94,11 @@ void FixLbIbb::check_scene()
   if (group->count(igroup) > 0 && !(atom->radius_flag && atom->omega_flag && atom->torque_flag))
     error->all(FLERR, "Fix lb/ibb: grains need radius, omega and torque: use atom_style sphere");
 
-  for (auto *other : modify->get_fix_by_style("^lb/(ibb|fluid)$"))
-    if (other != this)
-      error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box: unfix {} or {}", id,
-                 other->id);
+  for (const char *style : {"^lb/ibb", "^lb/fluid"})
+    for (auto *other : modify->get_fix_by_style(style))
+      if (other != this)
+        error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box: unfix {} or {}", id,
+                   other->id);
   for (auto *other : modify->get_fix_list()) {
     if (utils::strmatch(other->style, "^dt/reset"))
       error->all(FLERR,
@@ -104,13 +110,14 @@ void FixLbIbb::check_scene()
                  other->id);
   }
   check_offset();
-  if (fluid_steps == 0 && update->ntimestep % nevery)
+  if (first_step < 0) first_step = update->ntimestep;
+  if (first_step % nevery)
     error->all(
         FLERR,
         "Fix lb/ibb: the first run starts at step {}, which is no multiple of every = {}: "
         "the first fluid step would be too short; use reset_timestep before the fix, or run to a "
         "multiple",
-        update->ntimestep, nevery);
+        first_step, nevery);
   if (last_step >= 0 &&
       (update->ntimestep < last_step || update->ntimestep >= last_step + 2 * nevery))
     error->all(FLERR,
@@ -142,7 +149,10 @@ void FixLbIbb::check_order_of_fixes()
 {
   for (auto *other : modify->get_fix_list()) {
     if (other == this) return;
-    if (utils::strmatch(other->style, "^(freeze|setforce|enforce2d)") && comm->me == 0)
+    bool overrules = false;    // by suffixes too, e.g. freeze/kk
+    for (const char *style : {"^freeze", "^setforce", "^enforce2d"})
+      overrules = overrules || utils::strmatch(other->style, style);
+    if (overrules && comm->me == 0)
       error->warning(FLERR,
                      "Fix {} ({}) is defined before fix lb/ibb and does not see its forces: "
                      "define it after",
@@ -258,9 +268,13 @@ void FixLbIbb::provide_ghosts()
 // rules that need the state at the start of a run: variables, radii
 void FixLbIbb::review_setup()
 {
-  evaluate_all();
-  if (fluid_steps == 0) fluid->fill(0.0);    // at rest under the force that acts from now on
-  lbm::Plan plan{units, options.nu, nevery, pressure_difference, face_speed, 0.0};
+  const Drive now = evaluate_all();
+  if (!has_started()) {    // later values wait for the next fluid step
+    drive = now;
+    drive_fluid(now);
+    fluid->fill(0.0);    // at rest under the force that acts
+  }
+  lbm::Plan plan{units, options.nu, nevery, now.pressure_difference, now.face_speed, 0.0};
   const double largest = largest_radius(plan.smallest_radius);
   if (plan.smallest_radius <= 0.0 && atom->radius_flag && group->count(igroup) > 0)
     error->all(
@@ -279,11 +293,11 @@ void FixLbIbb::review_setup()
           "Fix lb/ibb: ghost cutoff {} is too small, {} is needed (largest radius + 2 dx + skin): "
           "use comm_modify cutoff",
           comm->cutghost[d], largest + 2.0 * options.dx + neighbor->skin);
-  print_summary(plan.smallest_radius, largest);
+  print_summary(plan.smallest_radius, largest, now.pressure_difference);
 }
 
 // what the run will do, what it will cost, and what it leaves out
-void FixLbIbb::print_summary(double smallest, double largest)
+void FixLbIbb::print_summary(double smallest, double largest, double pressure_difference)
 {
   static const char *link[] = {"halfway", "bouzidi", "cli"};
   static const char *refill[] = {"grad", "equilibrium"};

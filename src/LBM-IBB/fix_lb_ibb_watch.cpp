@@ -56,7 +56,11 @@ void FixLbIbb::check_stability()
     MPI_Bcast(node.data(), 3, MPI_INT, rank, world);
     MPI_Bcast(&drho, 1, MPI_DOUBLE, rank, world);
     if (survey.bad)
-      stop(node, fmt::format("density {:.4g} (in units of rho), which is no fluid's", 1.0 + drho));
+      stop(node,
+           drho > -1.0 && std::isfinite(drho)
+               ? "the fluid's speed is not a finite number"
+               : fmt::format("the fluid's density is {:.4g} times rho, it must be positive",
+                             1.0 + drho));
     stop(node,
          fmt::format("the fluid's speed is {:.4g}, Ma = {:.3g}, limit {}",
                      survey.speed.value * units.velocity(), survey.speed.value * std::sqrt(3.0),

@@ -232,7 +232,7 @@ bool LBOptionsParser::follows_number() const
   if (iarg + 1 >= narg) return false;
   const std::string word = arg[iarg + 1];
   return utils::is_double(word) || utils::strmatch(word, "^v_") ||
-      utils::strmatch(word, "^[+-]?(nan|inf)");
+      utils::strmatch(word, "^[+-]?nan") || utils::strmatch(word, "^[+-]?inf");
 }
 
 LBValue LBOptionsParser::value(const std::string &what)

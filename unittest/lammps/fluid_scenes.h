@@ -29,6 +29,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <sstream>
 #include <vector>
 
 static constexpr double DX = 1.0e-4, NU = 1.0e-6, RHO = 1000.0, SOLID = 2600.0;
@@ -66,14 +68,14 @@ class FluidTest : public LammpsTest {
         "\ncreate_box 2 box\nneighbor 1e-4 bin\nthermo_modify lost error\ntimestep " + num(DT);
   }
 
-  std::string grain(int id, const Triple &centre, double r, const Triple &v = {0, 0, 0}) const
+  static std::string grain(int id, const Triple &centre, double r, const Triple &v = {0, 0, 0})
   {
-    const std::string name = "\nset atom " + std::to_string(id);
-    return "\ncreate_atoms 1 single " + at(centre) + name + " diameter " + num(2.0 * r * DX) +
-        name + (n[2] == 1 ? " density/disc " : " density ") + num(SOLID) + name + " vx " +
-        num(v[0]) + " vy " + num(v[1]) + " vz " + num(v[2]);
+    return ball(id, centre, r, v, " density ");
   }
-
+  static std::string disc(int id, const Triple &centre, double r, const Triple &v = {0, 0, 0})
+  {
+    return ball(id, {centre[0], centre[1], 0.0}, r, v, " density/disc ");
+  }
   static std::string fluid(const std::string &options = "")
   {
     return "\nfix w all lb/ibb dx " + num(DX) + " nu " + num(NU) + " rho " + num(RHO) + " " +
@@ -187,7 +189,41 @@ class FluidTest : public LammpsTest {
     });
     return count;
   }
+  // what LAMMPS writes into its log file meanwhile
+  std::string log_of(const std::string &text)
+  {
+    script("log fluid.log");
+    const std::string message = error_of(text);
+    script("log none");
+    std::ifstream file("fluid.log");
+    std::stringstream all;
+    all << file.rdbuf() << message;
+    std::remove("fluid.log");
+    return all.str();
+  }
   int all_nodes() const { return n[0] * n[1] * n[2]; }
+
+ private:
+  static std::string ball(int id, const Triple &centre, double r, const Triple &v,
+                          const std::string &density)
+  {
+    const std::string name = "\nset atom " + std::to_string(id);
+    return "\ncreate_atoms 1 single " + at(centre) + name + " diameter " + num(2.0 * r * DX) +
+        name + density + num(SOLID) + name + " vx " + num(v[0]) + " vy " + num(v[1]) + " vz " +
+        num(v[2]);
+  }
 };
+
+#define EXPECT_IN(text, piece)                                                                   \
+  do {                                                                                           \
+    const std::string whole = (text);                                                            \
+    EXPECT_NE(whole.find(piece), std::string::npos) << "no '" << (piece) << "' in:\n" << whole; \
+  } while (0)
+
+#define EXPECT_NOT_IN(text, piece)                                                               \
+  do {                                                                                           \
+    const std::string whole = (text);                                                            \
+    EXPECT_EQ(whole.find(piece), std::string::npos) << "'" << (piece) << "' in:\n" << whole;    \
+  } while (0)
 
 #endif
