@@ -15,7 +15,7 @@
 option(PKG_LBM-IBB "Build LBM-IBB Package" ON)
 set(LBMIBB_ARCH native CACHE STRING
   "Processor for LBM-IBB's sources: native (this machine), none (any machine), or a -march= value")
-set(LBMIBB_CXX_FLAGS -O3 CACHE STRING "Optimisation flags for LBM-IBB's sources")
+set(LBMIBB_CXX_FLAGS "-O3 -fno-math-errno -fno-trapping-math" CACHE STRING "Optimisation flags for LBM-IBB's sources")
 option(LBMIBB_PCH "Compile LAMMPS with a precompiled header" OFF)
 
 get_filename_component(LBMIBB_SRC "${CMAKE_CURRENT_LIST_DIR}/../src/LBM-IBB" ABSOLUTE)

@@ -97,14 +97,15 @@ installed() {
 }
 
 # prepare_machine [PACKAGE...]   installs what is missing, or says what that is and stops;
-# the packages named are needed beyond those that building always needs
+# the packages named are needed beyond those that building always needs (?NAME: only wanted)
 prepare_machine() {
   [ -z "${LBMIBB_NO_INSTALL:-}" ] || return 0
   local required optional extra
   mapfile -t required < <(missing_packages required)
   mapfile -t optional < <(missing_packages optional)
   for extra in "$@"; do
-    if ! installed "$extra"; then required+=("$extra"); fi
+    if installed "${extra#\?}"; then continue; fi
+    if [[ $extra == \?* ]]; then optional+=("${extra#\?}"); else required+=("$extra"); fi
   done
   if [ $((${#required[@]} + ${#optional[@]})) = 0 ]; then return; fi
   if install_packages "${required[@]}" "${optional[@]}"; then return; fi

@@ -17,12 +17,14 @@ rm -rf "$folder"
 mkdir -p "$folder"
 
 # the cheapest of builds: this is about what is compiled and linked, not how fast it runs
-export CMAKE_BUILD_TYPE=Release CMAKE_GENERATOR=Ninja CXXFLAGS=-O0
+unset CMAKE_BUILD_TYPE    # its flags would come after these
+export CMAKE_GENERATOR=Ninja CXXFLAGS=-O0
 have ccache && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 
 case $route in
   preset)
-    cmake -C "$root/cmake/lbm-ibb.cmake" -S "$tree/cmake" -B "$folder/build" -D LBMIBB_ARCH=none
+    cmake -C "$root/cmake/lbm-ibb.cmake" -S "$tree/cmake" -B "$folder/build" \
+      -D LBMIBB_ARCH=none -D LBMIBB_PCH=ON
     cmake --build "$folder/build" --parallel "$jobs" --target lmp
     if grep -q -e '-march=' "$folder/build/build.ninja"; then
       die "LBMIBB_ARCH=none, yet the compiler is told a processor"

@@ -22,6 +22,7 @@ def read_grid(name):
     n = [int(x) for x in lines[at + 1].split()]
     at = next(i for i, line in enumerate(lines) if line.startswith("ITEM: GRID CELLS"))
     data = np.array([[float(x) for x in line.split()] for line in lines[at + 1:]])
+    data = data[np.argsort(data[:, 0])][:, 1:]    # every rank writes its own block
     return n, box[:, 1] - box[:, 0], [c.reshape(n[2], n[1], n[0]) for c in data.T]
 
 

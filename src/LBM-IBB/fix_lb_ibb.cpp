@@ -71,8 +71,8 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
   size_peratom_cols = SHOWN;
   global_freq = peratom_freq = pergrid_freq = 1;
-  comm_forward = 9;
-  comm_reverse = 6;
+  comm_forward = OUT;
+  comm_reverse = BACK;
   create_attribute = 1;
   maxexchange = SHOWN + COLUMNS;
 
@@ -248,13 +248,14 @@ void FixLbIbb::place_grains()
   if (nall > nghosted) {
     nghosted = atom->nmax;
     memory->destroy(ghosted);
-    memory->create(ghosted, nghosted, 9, "lb/ibb:ghosted");
+    memory->create(ghosted, nghosted, OUT, "lb/ibb:ghosted");
   }
   for (int i = 0; i < atom->nlocal; i++)
     for (int d = 0; d < 3; d++) {
       ghosted[i][d] = lbm::snap((atom->x[i][d] - domain->boxlo[d]) / units.dx);
       ghosted[i][3 + d] = atom->v[i][d] / units.velocity();
       ghosted[i][6 + d] = atom->omega[i][d] / units.spin();
+      ghosted[i][9] = history[i][EXCESS];
     }
   comm->forward_comm(this);
 
@@ -262,11 +263,8 @@ void FixLbIbb::place_grains()
   for (int i = 0; i < nall; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double *g = ghosted[i];
-    lbm::Sphere s{atom->tag[i],
-                  {g[0], g[1], g[2]},
-                  hydrodynamic_radius(i) / units.dx,
-                  {g[3], g[4], g[5]},
-                  {g[6], g[7], g[8]}};
+    lbm::Sphere s{atom->tag[i],       {g[0], g[1], g[2]}, hydrodynamic_radius(i) / units.dx,
+                  {g[3], g[4], g[5]}, {g[6], g[7], g[8]}, g[9]};
     if (i < atom->nlocal) check_grain(i, s);
     bool reaches = true;
     for (int d = 0; d < domain->dimension; d++) {
@@ -327,12 +325,16 @@ void FixLbIbb::give_forces()
   if (atom->natoms == 0 || !atom->radius_flag) return;
   const int nall = atom->nlocal + atom->nghost;
   for (int i = 0; i < nall; i++)
-    for (int k = 0; k < 6; k++) ghosted[i][k] = 0.0;
-  for (std::size_t s = 0; s < loads.size(); s++)
+    for (int k = 0; k < BACK; k++) ghosted[i][k] = 0.0;
+  for (std::size_t s = 0; s < loads.size(); s++) {
+    double *g = ghosted[sphere_atom[s]];
     for (int d = 0; d < 3; d++) {
-      ghosted[sphere_atom[s]][d] += loads[s].force[d] * units.force();
-      ghosted[sphere_atom[s]][3 + d] += loads[s].torque[d] * units.torque();
+      g[d] += loads[s].force[d] * units.force();
+      g[3 + d] += loads[s].torque[d] * units.torque();
     }
+    g[6] += loads[s].pressing;
+    g[7] += loads[s].area;
+  }
   comm->reverse_comm(this);
 
   for (int i = 0; i < atom->nlocal; i++) {
@@ -347,6 +349,7 @@ void FixLbIbb::give_forces()
       held[k] = (1.0 - old) * ghosted[i][k] + old * past[LAST + k];
       past[LAST + k] = ghosted[i][k];
     }
+    past[EXCESS] = ghosted[i][7] > 0.0 ? ghosted[i][6] / ghosted[i][7] : 0.0;
     if (options.has_gradp) {
       const double volume = units.grain_volume(hydrodynamic_radius(i));
       for (int d = 0; d < 3; d++) held[FORCE + d] -= volume * drive.gradp[d];
@@ -394,7 +397,7 @@ int FixLbIbb::pack_forward_comm(int n, int *list, double *buf, int, int *)
 {
   int m = 0;
   for (int i = 0; i < n; i++)
-    for (int k = 0; k < 9; k++) buf[m++] = ghosted[list[i]][k];
+    for (int k = 0; k < OUT; k++) buf[m++] = ghosted[list[i]][k];
   return m;
 }
 
@@ -402,14 +405,14 @@ void FixLbIbb::unpack_forward_comm(int n, int first, double *buf)
 {
   int m = 0;
   for (int i = first; i < first + n; i++)
-    for (int k = 0; k < 9; k++) ghosted[i][k] = buf[m++];
+    for (int k = 0; k < OUT; k++) ghosted[i][k] = buf[m++];
 }
 
 int FixLbIbb::pack_reverse_comm(int n, int first, double *buf)
 {
   int m = 0;
   for (int i = first; i < first + n; i++)
-    for (int k = 0; k < 6; k++) buf[m++] = ghosted[i][k];
+    for (int k = 0; k < BACK; k++) buf[m++] = ghosted[i][k];
   return m;
 }
 
@@ -417,7 +420,7 @@ void FixLbIbb::unpack_reverse_comm(int n, int *list, double *buf)
 {
   int m = 0;
   for (int i = 0; i < n; i++)
-    for (int k = 0; k < 6; k++) ghosted[list[i]][k] += buf[m++];
+    for (int k = 0; k < BACK; k++) ghosted[list[i]][k] += buf[m++];
 }
 
 // ---------------------------------------------------------------------- per-grid data
@@ -458,5 +461,5 @@ void *FixLbIbb::get_griddata_by_index(int index)
 double FixLbIbb::memory_usage()
 {
   return (fluid ? fluid->bytes() : 0.0) + fields->memory_usage() +
-      sizeof(double) * (double(atom->nmax) * (SHOWN + COLUMNS) + double(nghosted) * 9);
+      sizeof(double) * (double(atom->nmax) * (SHOWN + COLUMNS) + double(nghosted) * OUT);
 }

@@ -76,11 +76,15 @@ class FixLbIbb : public Fix {
   double wall_start, fluid_time, grain_time;    // seconds of wall time, the latter two in this run
 
   // columns of array_atom, which is for all to see, and of history: force and torque before the last
-  // fluid step, those of that step alone, where the grain was then, and fluid steps it has seen
+  // fluid step, those of that step alone, where the grain was then, fluid steps it has seen, and the
+  // mean density excess around it
   enum { FORCE = 0, TORQUE = 3, SHOWN = 6 };
-  enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, COLUMNS = 16 };
+  enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, COLUMNS = 17 };
   double **history;
-  double **ghosted;    // by local and ghost atom: place, velocity, spin out; force, torque back
+  // by local and ghost atom; out go place, velocity, spin and EXCESS, back come force, torque, and
+  // the two sums whose ratio is the density excess
+  enum { OUT = 10, BACK = 8 };
+  double **ghosted;
   int nghosted;
   std::vector<int> sphere_atom;    // atom behind each sphere handed in
   std::vector<lbm::Sphere> spheres;

@@ -9,7 +9,8 @@ namespace {
 
   // what one direction of one sphere adds up, in packs
   template <class V> struct Sums {
-    V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}};
+    V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{};
+    double links = 0.0;
   };
 
   double total(const double &v)
@@ -23,8 +24,10 @@ namespace {
     return s;
   }
 
-  template <class V> void add(const Sums<V> &sums, Load &load)
+  template <class V> void add(const Sums<V> &sums, double w, Load &load)
   {
+    load.pressing += total(sums.pressing);
+    load.area += 2.0 * w * sums.links;
     for (int d = 0; d < 3; d++) {
       load.force[d] += total(sums.force[d]);
       load.torque[d] += total(sums.torque[d]);
@@ -50,15 +53,16 @@ namespace {
   LBM_INLINE inline void exchange(Sums<V> &sums, const int (&e)[3], double w, const V &out,
                                   const V &back, const V (&arm)[3], const Wall<V> *wall)
   {
-    V F[3];
+    V F[3], g;
     if constexpr (moving) {
-      const V g = out + back - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
+      g = out + back - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
       const V h = out - back - 6.0 * w * wall->eu;
       for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall->u[d] * h;
     } else {
-      const V g = out + back;
+      g = out + back;
       for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g;
     }
+    sums.pressing = sums.pressing + g;
     for (int d = 0; d < 3; d++) {
       const int a = (d + 1) % 3, b = (d + 2) % 3;
       sums.force[d] = sums.force[d] + F[d];
@@ -145,7 +149,24 @@ namespace {
       const Wall<double> wall(cover.spheres()[owner[k]], e, arm[k]);
       Sums<double> sums;
       exchange<moving>(sums, e, L::w[i], out[k], back[k], arm[k], &wall);
-      add(sums, loads[owner[k]]);
+      sums.links = 1.0;
+      add(sums, L::w[i], loads[owner[k]]);
+    }
+  }
+
+  // Fluid at rest would give 2 w drho e to s, and the opposite to t. The links from s to t, found
+  // with sphere s on the rank that owns their first node, do it once more: half of it each.
+  void press_apart(const Cover &cover, const Hidden &hidden, std::vector<Load> &loads)
+  {
+    const double drho = 0.5 * (cover.spheres()[hidden.s].drho + cover.spheres()[hidden.t].drho);
+    for (int k = 0; k < 2; k++) {
+      const int32_t sphere = k == 0 ? hidden.s : hidden.t;
+      const double p = k == 0 ? drho : -drho;
+      const Vec3 turn = cross(cover.centre(sphere), hidden.we);
+      for (int d = 0; d < 3; d++) {
+        loads[sphere].force[d] += p * hidden.we[d];
+        loads[sphere].torque[d] += p * (hidden.wxe[d] - turn[d]);
+      }
     }
   }
 
@@ -172,10 +193,12 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     for (; k < group.end; k++)
       bounce_back_pack<L, Rule, moving, 1>(slot, sphere, offset, L::e[i], L::w[i], links, k, drho,
                                            tail);
-    add(sums, loads[group.sphere]);
-    add(tail, loads[group.sphere]);
+    sums.links = double(group.end - group.begin);
+    add(sums, L::w[i], loads[group.sphere]);
+    add(tail, L::w[i], loads[group.sphere]);
   }
   for (const Gap &gap : links.gaps) close_gap<L, Rule, moving>(at, f, cover, gap, drho, loads);
+  for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }
 
 #define LBM_INSTANTIATE(L, Rule)                                                                \

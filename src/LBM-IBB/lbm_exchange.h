@@ -5,7 +5,9 @@
 //     F = e_i (f*_i + f_o) - u_w (f*_i - f_o)
 // with the deviations from the equilibrium at rest density and wall velocity in place of f: the sum
 // over a closed surface is the same, and links that two touching grains hide from each other
-// contribute what fluid at rest with the surface would have given: nothing.
+// contribute what fluid at rest density, at rest with the surface, would have given: nothing.
+// Fluid at another density presses the two apart where they hide links: equal and opposite forces
+// of the mean density excess around them, without which they would attract each other.
 
 #ifndef LBM_EXCHANGE_H
 #define LBM_EXCHANGE_H

@@ -59,10 +59,11 @@ template <class L> void Halo<L>::along(const Block<L> &block, int d, int side, b
       for (int z = box.lo[2]; z <= box.hi[2]; z++)
         for (int y = box.lo[1]; y <= box.hi[1]; y++, buffer += length) {
           double *row = array + at_.index(box.lo[0], y, z);
-          if (pack)
-            std::copy_n(row, length, buffer);
+          double *from = pack ? row : buffer, *to = pack ? buffer : row;
+          if (length == 1)    // faces along x: no call for a single number
+            *to = *from;
           else
-            std::copy_n(buffer, length, row);
+            std::copy_n(from, length, to);
         }
     });
   };

@@ -10,14 +10,27 @@ void Links::clear()
 {
   groups.clear();
   gaps.clear();
+  hidden.clear();
   size = at_open_faces = 0;
+}
+
+void Links::trim()
+{
+  auto fit = [this](auto &list) {
+    list.resize(size);
+    list.shrink_to_fit();
+  };
+  fit(node);
+  fit(q);
+  for (auto &component : arm) fit(component);
+  gaps.shrink_to_fit();
 }
 
 double Links::bytes() const
 {
   return double(node.capacity() * sizeof(uint32_t) + q.capacity() * sizeof(double) +
                 3 * arm[0].capacity() * sizeof(int16_t) + gaps.capacity() * sizeof(Gap) +
-                groups.capacity() * sizeof(LinkGroup));
+                groups.capacity() * sizeof(LinkGroup) + hidden.capacity() * sizeof(Hidden));
 }
 
 namespace {
@@ -28,7 +41,7 @@ namespace {
    public:
     Finder(const Layout &at, const Cover &cover, std::size_t s, Links &links) :
         at(at), cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)), origin(anchor(c)),
-        open_faces(cover.has_open_faces()), links(links)
+        open_faces(cover.has_open_faces()), links(links), first_hidden(links.hidden.size())
     {
       const double reach = cover.spheres()[s].radius + 1.0;
       for (int d = 0; d < 3; d++) {    // fluid nodes that can have a link
@@ -59,6 +72,7 @@ namespace {
     const Int3 origin;
     const bool open_faces;
     Links &links;
+    const std::size_t first_hidden;
     Int3 lo, hi;
     int x0 = 0;    // node of bit 0
     std::vector<std::size_t> at_open_face;
@@ -88,15 +102,19 @@ namespace {
       const auto seen_from = [&](uint64_t b, int sense) {    // bits of the nodes sense * e further
         return sense * e[0] > 0 ? b >> 1 : (e[0] == 0 ? b : b << 1);
       };
-      for (int z = lo[2]; z <= hi[2]; z++)
-        for (int y = lo[1]; y <= hi[1]; y++) {
-          uint64_t found =
-              window & bits(y, z).negative & seen_from(bits(y + e[1], z + e[2]).equal, 1);
+      for (int z = lo[2]; z <= hi[2]; z++) {
+        const Bits *here = &bits(lo[1], z), *ahead = &bits(lo[1] + e[1], z + e[2]),
+                   *behind = &bits(lo[1] - e[1], z - e[2]);
+        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++) {
+          const uint64_t found = window & ~here->equal & seen_from(ahead->equal, 1);
           if (!found) continue;
-          const uint64_t free = seen_from(bits(y - e[1], z - e[2]).negative, -1);
-          if (i <= L::P) add_gaps(i, found & ~free, y, z);
-          add_links(i, found & free, y, z);
+          const uint64_t fluid = found & here->negative;
+          if (fluid != found) hide(i, found & ~fluid, y, z);
+          const uint64_t free = seen_from(behind->negative, -1);
+          if (i <= L::P) add_gaps(i, fluid & ~free, y, z);
+          add_links(i, fluid & free, y, z);
         }
+      }
       if (links.size == begin) return;
       set_fractions(i, begin);
       links.groups.push_back({int32_t(s), int32_t(i), begin, links.size});
@@ -136,6 +154,27 @@ namespace {
       for (std::size_t k : at_open_face) q[k] = 0.5;
       links.at_open_faces += at_open_face.size();
       at_open_face.clear();
+    }
+
+    // links from nodes of another sphere
+    void hide(int i, uint64_t found, int y, int z)
+    {
+      const int(&e)[3] = L::e[i];
+      const double w = L::w[i];
+      const Vec3 we{w * e[0], w * e[1], w * e[2]};
+      const Index row = at.index(x0, y, z);
+      for (; found; found &= found - 1) {
+        const int k = __builtin_ctzll(found);
+        const int32_t t = owner[row + k];
+        auto h = links.hidden.begin() + first_hidden;
+        while (h != links.hidden.end() && h->t != t) ++h;
+        if (h == links.hidden.end()) h = links.hidden.insert(h, {int32_t(s), t});
+        const Vec3 wxe = cross({x0 + k + 0.5 * e[0], y + 0.5 * e[1], z + 0.5 * e[2]}, we);
+        for (int d = 0; d < 3; d++) {
+          h->we[d] += we[d];
+          h->wxe[d] += wxe[d];
+        }
+      }
     }
 
     void add_gaps(int i, uint64_t found, int y, int z)

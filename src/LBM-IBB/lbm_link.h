@@ -34,6 +34,14 @@ struct Gap {
   double q_ahead, q_behind;
 };
 
+// Links between the nodes of two spheres that touch, or nearly: no fluid is there to press the two
+// apart. Sums over such links from nodes of t to nodes of s; w weighs them as populations do.
+struct Hidden {
+  int32_t s, t;
+  Vec3 we{},
+      wxe{};    // of w e, and of w x times e with x the middle of the link, block coordinates
+};
+
 struct Links {
   std::vector<LinkGroup> groups;
   std::vector<uint32_t> node;    // x_f, index in the block
@@ -41,10 +49,12 @@ struct Links {
   std::vector<int16_t> arm[3];    // x_f - anchor(sphere)
   std::size_t size = 0;           // entries in use of the arrays above
   std::vector<Gap> gaps;
+  std::vector<Hidden> hidden;
   std::size_t at_open_faces = 0;
   std::vector<Bits> bits;    // scratch of find_links()
 
   void clear();
+  void trim();    // give back what is allocated and not in use
   double bytes() const;
 };
 

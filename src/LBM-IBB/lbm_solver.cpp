@@ -36,13 +36,13 @@ namespace {
         refill_uncovered();
         return;
       }
-      if (!now) {
-        now = std::make_unique<Cover>(at, L::D, sides());
-        before = std::make_unique<Cover>(at, L::D, sides());
-      }
+      provide(now);
       moved = !now->same_places(spheres);
       if (moved) {
-        std::swap(before, now);
+        if (before || !now->spheres().empty()) {    // a scene at rest needs no former cover
+          provide(before);
+          std::swap(before, now);
+        }
         now->place(spheres);
         kept_links = false;
       } else {
@@ -99,7 +99,7 @@ namespace {
     const RefillCount &refilled() const override { return refill_count; }
     double bytes() const override
     {
-      return block.bytes() + (now ? now->bytes() + before->bytes() : 0.0) +
+      return block.bytes() + (now ? now->bytes() : 0.0) + (before ? before->bytes() : 0.0) +
           double(drho.capacity() * sizeof(float)) + list.bytes();
     }
 
@@ -121,6 +121,10 @@ namespace {
     std::size_t nlinks = 0, ngaps = 0;
     RefillCount refill_count;
 
+    void provide(std::unique_ptr<Cover> &cover) const
+    {
+      if (!cover) cover = std::make_unique<Cover>(at, L::D, sides());
+    }
     const int32_t *owner() const { return now ? now->owner() : nullptr; }
     bool spheres_here() const { return now && !now->spheres().empty(); }
 
@@ -191,6 +195,7 @@ namespace {
     {
       list.clear();
       for (std::size_t s = 0; s < now->spheres().size(); s++) find_links<L>(at, *now, s, list);
+      list.trim();
       kept_links = true;
       nlinks = ngaps = 0;
       count_links();
@@ -225,14 +230,12 @@ namespace {
     void refill_uncovered()
     {
       std::vector<Uncovered> nodes;
-      if (moved) nodes = find_uncovered(at, *before, *now);
+      if (moved && before) nodes = find_uncovered(at, *before, *now);
       double any = nodes.empty() ? 0.0 : 1.0;
       neighbours.max(&any, 1);
       if (any == 0.0) return;
-      if (!now) {    // this rank has never seen a sphere, and answers the others' questions only
-        now = std::make_unique<Cover>(at, L::D, sides());
-        before = std::make_unique<Cover>(at, L::D, sides());
-      }
+      provide(now);    // a rank without any may have to answer the others' questions
+      provide(before);
       if (settings.refill == RefillRule::GRAD)
         refill_grad<L>(at, block.slots(), *before, *now, nodes, settings.tau, force, neighbours,
                        refill_count);
@@ -244,7 +247,7 @@ namespace {
     // of the whole system, over the nodes that were fluid in the last step
     double mean_density_excess()
     {
-      const Cover &last = moved ? *before : *now;
+      const Cover &last = moved && before ? *before : *now;
       const Survey s = lbm::survey<L>(at, block.slots(), last.owner(), force);
       double sums[] = {s.mass - s.fluid_nodes, s.fluid_nodes};
       neighbours.sum(sums, 2);

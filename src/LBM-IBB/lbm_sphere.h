@@ -17,7 +17,9 @@ struct Sphere {
   Vec3 centre;        // snapped by snap(), so that all images cover exactly the same nodes
   double radius;
   Vec3 velocity;
-  Vec3 spin;    // angular velocity
+  Vec3 spin;          // angular velocity
+  // mean density excess around it: of its Load in the former step, summed over ranks and images
+  double drho = 0.0;
 
   Vec3 velocity_at(const Vec3 &arm) const
   {
@@ -36,6 +38,9 @@ inline double snap(double x)
 // momentum per step given to a sphere by the fluid: force, and torque about its centre
 struct Load {
   Vec3 force{}, torque{};
+  double pressing = 0.0, area = 0.0;    // sums over links whose ratio is the mean density excess
+
+  double drho() const { return area > 0.0 ? pressing / area : 0.0; }
 };
 
 }    // namespace lbm

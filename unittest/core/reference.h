@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace reference {
@@ -109,6 +110,7 @@ class Solver {
     const std::vector<Owner> before = owner;
     const std::vector<lbm::Sphere> spheres_before = spheres;
     spheres = list;
+    for (lbm::Sphere &s : spheres) s.drho = excess[s.id];
     for (std::size_t x = 0; x < nodes(); x++) owner[x] = owner_of(node(x));
     refill(before, spheres_before);
   }
@@ -123,6 +125,8 @@ class Solver {
     std::vector<double> next = f;
     for (std::size_t x = 0; x < nodes(); x++)
       for (std::size_t i = 0; i < dirs.size(); i++) at(next, x, i) = arriving(x, int(i));
+    press_apart();
+    for (std::size_t s = 0; s < spheres.size(); s++) excess[spheres[s].id] = loads[s].drho();
     f = next;
     for (int d = 0; d < settings.dimension; d++)
       for (int side = 0; side < 2; side++)
@@ -140,6 +144,7 @@ class Solver {
   std::vector<double> f, post;
   std::vector<Owner> owner;
   std::vector<lbm::Sphere> spheres;
+  std::map<std::int64_t, double> excess;    // density excess around each grain
 
   double &at(std::vector<double> &a, std::size_t x, std::size_t i) const
   {
@@ -355,10 +360,48 @@ class Solver {
       F[d] = -dirs[i].c[d] * (out + back) - cut.u[d] * (out - back);
       F[d] -= -dirs[i].c[d] * (eq_out + eq_back) - cut.u[d] * (eq_out - eq_back);
     }
+    loads[cut.sphere].pressing +=
+        out + back - eq_out - eq_back;    // by 2 w drho where fluid moves with the wall
+    loads[cut.sphere].area += 2.0 * dirs[i].w;
     const Vec T = cross(cut.arm, F);
     for (int d = 0; d < 3; d++) {
       loads[cut.sphere].force[d] += F[d];
       loads[cut.sphere].torque[d] += T[d];
+    }
+  }
+
+  // Two neighbouring nodes under two spheres, or images: fluid at rest between them, of the density
+  // around them, would press them apart in the middle. Both look at it, and each does half.
+  void press_apart()
+  {
+    for (std::size_t x = 0; x < nodes(); x++) {
+      if (!solid(x)) continue;
+      const Owner &mine = owner[x];
+      for (std::size_t i = 0; i < dirs.size(); i++) {
+        Node there = node(x);
+        for (int d = 0; d < 3; d++) there[d] += dirs[i].c[d];
+        if (place(there) != SOLID) continue;
+        const Owner &other = owner[index(there)];
+        bool same = mine.sphere == other.sphere;    // and not another image of it
+        Vec middle;                                 // of the link, from my centre
+        for (int d = 0; d < 3; d++) {
+          same = same && mine.arm[d] + dirs[i].c[d] == other.arm[d];
+          middle[d] = mine.arm[d] + 0.5 * dirs[i].c[d];
+        }
+        if (same) continue;
+        const double drho = 0.5 * (spheres[mine.sphere].drho + spheres[other.sphere].drho);
+        Vec F;
+        for (int d = 0; d < 3; d++) F[d] = -dirs[i].w * drho * dirs[i].c[d];
+        Vec middle_other;
+        for (int d = 0; d < 3; d++) middle_other[d] = other.arm[d] - 0.5 * dirs[i].c[d];
+        const Vec T = cross(middle, F), T_other = cross(middle_other, F);
+        for (int d = 0; d < 3; d++) {
+          loads[mine.sphere].force[d] += F[d];
+          loads[mine.sphere].torque[d] += T[d];
+          loads[other.sphere].force[d] -= F[d];
+          loads[other.sphere].torque[d] -= T_other[d];
+        }
+      }
     }
   }
 

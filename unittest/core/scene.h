@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <random>
 #include <vector>
@@ -58,8 +59,11 @@ inline Images images(const std::vector<lbm::Sphere> &list, const lbm::Settings &
   Images all;
   Int3 reach{};
   for (int d = 0; d < settings.dimension; d++)
-    if (periodic(settings)[d]) reach[d] = 3;
-  for (std::size_t s = 0; s < list.size(); s++)
+    if (periodic(settings)[d]) reach[d] = 2;
+  for (std::size_t s = 0; s < list.size(); s++) {
+    Int3 home{};    // the period the grain has drifted to
+    for (int d = 0; d < settings.dimension; d++)
+      if (periodic(settings)[d]) home[d] = int(std::floor(list[s].centre[d] / global[d]));
     for (int z = -reach[2]; z <= reach[2]; z++)
       for (int y = -reach[1]; y <= reach[1]; y++)
         for (int x = -reach[0]; x <= reach[0]; x++) {
@@ -67,7 +71,7 @@ inline Images images(const std::vector<lbm::Sphere> &list, const lbm::Settings &
           lbm::Sphere image = list[s];
           bool here = true;
           for (int d = 0; d < settings.dimension; d++) {
-            image.centre[d] += double(shift[d]) * global[d];
+            image.centre[d] += double(shift[d] - home[d]) * global[d];
             here = here && image.centre[d] + image.radius > lo[d] - 1 &&
                 image.centre[d] - image.radius < lo[d] + n[d] + 1;
           }
@@ -75,6 +79,7 @@ inline Images images(const std::vector<lbm::Sphere> &list, const lbm::Settings &
           all.spheres.push_back(image);
           all.grain.push_back(s);
         }
+  }
   return all;
 }
 
@@ -97,7 +102,9 @@ class Box {
 
   void follow(const std::vector<lbm::Sphere> &list)
   {
-    now = images(list, settings, {0, 0, 0}, n, n);
+    grains = list;
+    for (lbm::Sphere &grain : grains) grain.drho = drho[grain.id];
+    now = images(grains, settings, {0, 0, 0}, n, n);
     fluid->follow(now.spheres);
     loads.assign(list.size(), {});
   }
@@ -111,6 +118,11 @@ class Box {
         loads[now.grain[k]].force[d] += parts[k].force[d];
         loads[now.grain[k]].torque[d] += parts[k].torque[d];
       }
+    for (std::size_t k = 0; k < parts.size(); k++) {
+      loads[now.grain[k]].pressing += parts[k].pressing;
+      loads[now.grain[k]].area += parts[k].area;
+    }
+    for (std::size_t s = 0; s < grains.size(); s++) drho[grains[s].id] = loads[s].drho();
   }
   void step(const std::vector<lbm::Sphere> &list)
   {
@@ -133,7 +145,9 @@ class Box {
   }
 
  private:
+  std::vector<lbm::Sphere> grains;
   Images now;
+  std::map<std::int64_t, double> drho;    // around each grain, of the last step
 };
 
 // a smooth flow that is nowhere trivial; repeats after n nodes

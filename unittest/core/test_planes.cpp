@@ -163,7 +163,7 @@ template <class L, class Rule> class Channel {
           const double q = cut_at(p, i, meets), behind = cut_at(p, opposite<L>(i), other);
           if (meets != wall || q > 1.0) return;
           if (behind <= 1.0) {
-            if (i <= L::P) links.gaps.push_back({uint32_t(n), i, wall, other, q, behind});
+            if (i <= L::P) links.gaps.push_back({uint32_t(n), p, i, wall, other, q, behind});
             return;
           }
           links.node.push_back(uint32_t(n));

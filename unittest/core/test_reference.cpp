@@ -205,6 +205,24 @@ std::vector<Case> limits()
   add("TouchingInANode", {sphere(2, {2.5, 5.5, 3.5}, 2.0), sphere(1, {6.5, 5.5, 3.5}, 2.0, v)});
   add("OneNodeApart", {sphere(2, {2.3, 5.2, 3.5}, 2.0, v), sphere(1, {7.1, 5.5, 3.3}, 2.0, {}, w)});
 
+  // rows of more than 64 and of more than 128 nodes, and grains as wide
+  auto add_wide = [&](const std::string &name, int dimension, const Int3 &n,
+                      const std::vector<Sphere> &spheres) {
+    add(name, spheres);
+    cases.erase(cases.end() - (dimension == 2 ? 1 : 2));
+    cases.back().n = n;
+    cases.back().steps = 5;
+  };
+  add_wide("WideRows", 2, {150, 11, 1},
+           {sphere(1, {63.2, 5.3, 0.5}, 3.4, v, w), sphere(2, {127.6, 2.1, 0.5}, 4.0),
+            sphere(3, {149.0, 8.0, 0.5}, 2.7, v), sphere(4, {70.3, 6.0, 0.5}, 2.9)});
+  add_wide("WideRows", 3, {133, 9, 8},
+           {sphere(1, {62.2, 5.3, 2.5}, 3.4, v, w), sphere(2, {126.6, 2.1, 4.5}, 2.0),
+            sphere(3, {132.0, 8.0, 7.5}, 2.7, v), sphere(4, {68.9, 6.0, 1.1}, 2.9)});
+  add_wide("WideGrain", 2, {150, 131, 1},
+           {sphere(1, {80.2, 60.3, 0.5}, 41.3, {0.02, 0.01, 0.0}, {0.0, 0.0, 1e-4}),
+            sphere(2, {5.6, 2.1, 0.5}, 33.0)});
+  add_wide("WideGrain", 3, {90, 7, 8}, {sphere(1, {40.2, 3.3, 4.5}, 32.3, v, w)});
   // spheres that come, go, stop and start again; fast ones; another order of the list
   auto add_script = [&](const std::string &name, std::function<std::vector<Sphere>(int)> at) {
     add(name, {});

@@ -86,20 +86,29 @@ void same_on_every_brick(const Scene &scene)
     });
     const std::string where = "brick " + std::to_string(brick[0]) + " " + std::to_string(brick[1]) +
         " " + std::to_string(brick[2]);
+    std::vector<double> drho(scene.grains.size(), 0.0);
     for (int t = 0; t < scene.steps; t++) {
-      const auto grains = scene::drifted(scene.grains, t);
+      auto grains = scene::drifted(scene.grains, t);
+      for (std::size_t s = 0; s < grains.size(); s++) grains[s].drho = drho[s];
       one.step(grains);
       const scene::Images here = scene::images(grains, scene.settings, part.lo, part.n, scene.n);
       fluid->follow(here.spheres);
       std::vector<Load> parts;
       fluid->advance(parts);
-      std::vector<double> loads(6 * grains.size() + 1, 0.0);
+      std::vector<double> loads(6 * grains.size() + 1, 0.0), around(2 * grains.size() + 1, 0.0);
       for (std::size_t k = 0; k < parts.size(); k++)
         for (int d = 0; d < 3; d++) {
           loads[6 * here.grain[k] + d] += parts[k].force[d];
           loads[6 * here.grain[k] + 3 + d] += parts[k].torque[d];
         }
+      for (std::size_t k = 0; k < parts.size(); k++) {
+        around[2 * here.grain[k]] += parts[k].pressing;
+        around[2 * here.grain[k] + 1] += parts[k].area;
+      }
       neighbours.sum(loads.data(), int(loads.size()));
+      neighbours.sum(around.data(), int(around.size()));
+      for (std::size_t s = 0; s < grains.size(); s++)
+        drho[s] = around[2 * s + 1] > 0.0 ? around[2 * s] / around[2 * s + 1] : 0.0;
       for (std::size_t s = 0; s < grains.size(); s++)
         for (int d = 0; d < 3; d++) {
           ASSERT_NEAR(loads[6 * s + d], one.loads[s].force[d], 1e-13) << where << " step " << t;
