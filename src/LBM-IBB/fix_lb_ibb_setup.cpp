@@ -27,7 +27,6 @@
 #include "modify.h"
 #include "neighbor.h"
 #include "pair.h"
-#include "platform.h"
 #include "update.h"
 #include "variable.h"
 
@@ -294,87 +293,4 @@ void FixLbIbb::review_setup()
           "use comm_modify cutoff",
           comm->cutghost[d], largest + 2.0 * options.dx + neighbor->skin);
   print_summary(plan.smallest_radius, largest, now.pressure_difference);
-}
-
-// what the run will do, what it will cost, and what it leaves out
-void FixLbIbb::print_summary(double smallest, double largest, double pressure_difference)
-{
-  static const char *link[] = {"halfway", "bouzidi", "cli"};
-  static const char *refill[] = {"grad", "equilibrium"};
-  double bytes = fluid->bytes(), most;
-  MPI_Allreduce(&bytes, &most, 1, MPI_DOUBLE, MPI_MAX, world);
-  const bool grains = group->count(igroup) > 0 || largest > 0.0;
-
-  std::string text = fmt::format(
-      "Fix lb/ibb: {} x {} x {} nodes of dx = {:.6g}, {}, collision {}\n"
-      "  fluid step = {} x timestep = {:.6g}, tau = {:.5f}; Ma = 0.1 at speed {:.4g}, limit 0.3 at "
-      "{:.4g}\n",
-      nodes[0], nodes[1], nodes[2], options.dx, domain->dimension == 2 ? "D2Q9" : "D3Q19",
-      options.bgk ? "bgk" : fmt::format("trt, Lambda = {:.5g}", options.magic), nevery, units.dt,
-      units.tau(options.nu), 0.1 * units.sound_speed(), 0.3 * units.sound_speed());
-  for (int d = 0; d < domain->dimension; d++)
-    if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&
-        options.face[d][1].kind == lbm::FaceKind::PRESSURE)
-      text += fmt::format("  pressure planes along {} are {:.8g} apart (box length - dx)\n",
-                          "xyz"[d], domain -> prd[d] - options.dx);
-  if (pressure_difference > 0.0)
-    text += fmt::format("  pressure difference now {:.6g}: density change {:.3g} %\n",
-                        pressure_difference, 100.0 * units.density_excess(pressure_difference));
-  if (grains)
-    text += fmt::format(
-        "  grains: {:.4g} to {:.4g} cells per diameter; links {}, refill {}, force {}\n",
-        2.0 * smallest / options.dx, 2.0 * largest / options.dx, link[(int) options.link],
-        refill[(int) options.refill],
-        options.average ? "mean of two fluid steps" : "of the last fluid step");
-
-  std::string absent;
-  auto has = [&](bool present, const char *name) {
-    if (!present) absent += std::string(name) + ", ";
-  };
-  bool wall = false, open = false, force = options.has_gradp;
-  for (int d = 0; d < 3; d++) {
-    force = force || !options.accel[d].zero();
-    for (const LBFace &face : options.face[d]) {
-      wall = wall || face.kind == lbm::FaceKind::WALL;
-      open = open || face.kind == lbm::FaceKind::PRESSURE || face.kind == lbm::FaceKind::VELOCITY;
-    }
-  }
-  has(grains, "grains");
-  has(wall, "walls");
-  has(open, "open faces");
-  has(force, "body force");
-  has(options.has_buoyancy, "buoyancy");
-  has(comm->nprocs > 1, "messages between ranks");
-  text +=
-      fmt::format("  memory {:.4g} MiB on the fullest rank; left out: {}fields until asked for\n",
-                  most / 1048576.0, absent);
-  if (comm->me == 0) utils::logmesg(lmp, text);
-}
-
-// LAMMPS's own timers know no fluid: it is part of "Modify" there
-void FixLbIbb::post_run()
-{
-  const double run = platform::walltime() - wall_start;
-  const auto steps = double(fluid_steps - steps_at_run_start);
-  if (steps < 1.0) return;
-  double mine[2] = {fluid_time, grain_time}, most[2];
-  MPI_Allreduce(mine, most, 2, MPI_DOUBLE, MPI_MAX, world);
-  const double links = compute_vector(12), all = double(nodes[0]) * nodes[1] * nodes[2];
-  const lbm::RefillCount &r = fluid->refilled();
-  double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.rest)};
-  double gaps = fluid->gaps();
-  neighbours->sum(refilled, 3);
-  neighbours->sum(&gaps, 1);
-  if (comm->me) return;
-  std::string text =
-      fmt::format("Fix lb/ibb: {:.0f} fluid steps, {:.4g} M nodes/s over the whole loop; fluid "
-                  "{:.1f} %, grains in and "
-                  "out {:.1f} % of the time\n",
-                  steps, steps * all / run * 1e-6, 100.0 * most[0] / run, 100.0 * most[1] / run);
-  if (links > 0.0)
-    text += fmt::format(
-        "  {:.0f} cut links, {:.0f} of them closed in pairs in gaps of one node; nodes refilled so "
-        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at rest density\n",
-        links, 2.0 * gaps, refilled[0], refilled[1], refilled[2]);
-  utils::logmesg(lmp, text);
 }

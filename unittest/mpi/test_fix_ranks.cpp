@@ -194,6 +194,18 @@ TEST_F(FluidRanks, GrainsComeAndGo)
   });
 }
 
+TEST_F(FluidRanks, GrainsPouredDuringARun)
+{
+  compare([&](const std::string &brick) {
+    return box({16, 16, 24}, "p p f", brick) +
+        "\nregion slab block 0 1.6e-3 0 1.6e-3 0.8e-3 2.2e-3" +
+        "\nfix g all gravity 0.1 vector 0 0 -1\nfix m all nve/sphere"
+        "\nfix rain all pour 3 1 4711 region slab diam one 5.5e-4 dens 2600 2600" +
+        fluid("every 4 buoyancy 0 0 -0.1 face zlo wall face zhi pressure 0") + "\ntimestep " +
+        num(DT / 4) + run(200);
+  });
+}
+
 /* ---- what all ranks refuse together ---- */
 
 TEST_F(FluidRanks, StopsSayTheSameOnAllRanks)

@@ -1,0 +1,217 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License,
+   version 2.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+// Grains of fix lb/ibb: in to the fluid, forces out, and what is kept of each between fluid steps.
+
+#include "fix_lb_ibb.h"
+
+#include "lbm_rules.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "memory.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+using lbm::Vec3;
+
+// The spheres that reach this rank: own grains and ghosts, each where its image is. The owner's
+// place, snapped, goes out with the velocities, so that all images agree to the bit.
+void FixLbIbb::place_grains()
+{
+  spheres.clear();
+  sphere_atom.clear();
+  fastest = {};
+  if (atom->natoms == 0 || !atom->radius_flag) return;
+
+  const int nall = atom->nlocal + atom->nghost;
+  if (nall > nghosted) {
+    nghosted = atom->nmax;
+    memory->destroy(ghosted);
+    memory->create(ghosted, nghosted, OUT, "lb/ibb:ghosted");
+  }
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) {
+      ghosted[i][d] = lbm::snap((atom->x[i][d] - domain->boxlo[d]) / units.dx);
+      ghosted[i][3 + d] = atom->v[i][d] / units.velocity();
+      ghosted[i][6 + d] = atom->omega[i][d] / units.spin();
+      ghosted[i][9] = history[i][EXCESS];
+    }
+  comm->forward_comm(this);
+
+  const lbm::Layout &at = fluid->layout();
+  for (int i = 0; i < nall; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double *g = ghosted[i];
+    lbm::Sphere s{atom->tag[i],       {g[0], g[1], g[2]}, hydrodynamic_radius(i) / units.dx,
+                  {g[3], g[4], g[5]}, {g[6], g[7], g[8]}, g[9]};
+    if (i < atom->nlocal) check_grain(i, s);
+    bool reaches = true;
+    for (int d = 0; d < domain->dimension; d++) {
+      const double seen = (atom->x[i][d] - domain->boxlo[d]) / units.dx;
+      if (domain->periodicity[d])
+        s.centre[d] += nodes[d] * std::nearbyint((seen - s.centre[d]) / nodes[d]);
+      reaches = reaches && s.centre[d] + s.radius > at.lo[d] - 1.0 &&
+          s.centre[d] - s.radius < at.lo[d] + at.n[d] + 1.0;
+    }
+    if (!reaches) continue;
+    spheres.push_back(s);
+    sphere_atom.push_back(i);
+  }
+}
+
+// what no run may go on with, and what check_stability() will look at
+void FixLbIbb::check_grain(int i, const lbm::Sphere &s)
+{
+  double *past = history[i];
+  if (past[AGE] > 0.0)
+    check_displacement(i, s);
+  else if (!(s.radius >= lbm::RADIUS_LIMIT))
+    error->one(FLERR,
+               "Fix lb/ibb: grain {}, new at step {}, has a hydrodynamic radius of {:.3g} cells, "
+               "limit {}: use dx <= {:.4g}",
+               atom->tag[i], update->ntimestep, s.radius, lbm::RADIUS_LIMIT,
+               hydrodynamic_radius(i) / lbm::RADIUS_LIMIT);
+  for (int d = 0; d < 3; d++) past[PLACE + d] = s.centre[d];
+  const double speed =
+      std::sqrt(lbm::dot(s.velocity, s.velocity)) + s.radius * std::sqrt(lbm::dot(s.spin, s.spin));
+  if (speed > fastest.speed) fastest = {speed, double(s.id), s.centre};
+}
+
+void FixLbIbb::check_displacement(int i, const lbm::Sphere &s)
+{
+  Vec3 step{};
+  for (int d = 0; d < domain->dimension; d++) {
+    step[d] = s.centre[d] - history[i][PLACE + d];
+    if (domain->periodicity[d]) step[d] -= nodes[d] * std::nearbyint(step[d] / nodes[d]);
+  }
+  const double moved = std::sqrt(lbm::dot(step, step));
+  if (moved <= 1.0) return;    // false for what is not a number
+  const double speed = std::sqrt(lbm::dot(s.velocity, s.velocity));
+  error->one(FLERR,
+             "Fix lb/ibb: stopped at step {}, fluid step {}: grain {} at ({:.6g}, {:.6g}, {:.6g}) "
+             "moved {:.3g} cells in one fluid step, limit 1; its speed is {:.4g}. Likely cause: {}",
+             update->ntimestep, fluid_steps, atom->tag[i], atom->x[i][0], atom->x[i][1],
+             atom->x[i][2], moved, speed * units.velocity(),
+             speed < 0.5 * moved
+                 ? "it was placed anew; delete a grain and create it instead"
+                 : "it is too fast for the fluid time step, or its contacts are too stiff for "
+                   "timestep; reduce timestep or every");
+}
+
+// momentum of the links to the grains, summed over images and ranks; mean of two steps if wanted
+void FixLbIbb::give_forces()
+{
+  if (atom->natoms == 0 || !atom->radius_flag) return;
+  const int nall = atom->nlocal + atom->nghost;
+  for (int i = 0; i < nall; i++)
+    for (int k = 0; k < BACK; k++) ghosted[i][k] = 0.0;
+  for (std::size_t s = 0; s < loads.size(); s++) {
+    double *g = ghosted[sphere_atom[s]];
+    for (int d = 0; d < 3; d++) {
+      g[d] += loads[s].force[d] * units.force();
+      g[3 + d] += loads[s].torque[d] * units.torque();
+    }
+    g[6] += loads[s].pressing;
+    g[7] += loads[s].area;
+  }
+  comm->reverse_comm(this);
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) {
+      set_arrays(i);    // it may have been in the group before
+      continue;
+    }
+    double *held = array_atom[i], *past = history[i];
+    const double old = (options.average && past[AGE] > 0.0) ? 0.5 : 0.0;
+    for (int k = 0; k < 6; k++) {
+      past[BEFORE + k] = held[k];
+      held[k] = (1.0 - old) * ghosted[i][k] + old * past[LAST + k];
+      past[LAST + k] = ghosted[i][k];
+    }
+    past[EXCESS] = ghosted[i][7] > 0.0 ? ghosted[i][6] / ghosted[i][7] : 0.0;
+    if (options.has_gradp) {
+      const double volume = units.grain_volume(hydrodynamic_radius(i));
+      for (int d = 0; d < 3; d++) held[FORCE + d] -= volume * drive.gradp[d];
+    }
+    past[AGE] += 1.0;
+  }
+}
+
+// ---------------------------------------------------------------------- per-atom data
+
+// array_atom has no hidden columns: atom-style variables stride by size_peratom_cols
+void FixLbIbb::grow_arrays(int nmax)
+{
+  memory->grow(array_atom, nmax, SHOWN, "lb/ibb:array_atom");
+  memory->grow(history, nmax, COLUMNS, "lb/ibb:history");
+}
+
+void FixLbIbb::copy_arrays(int i, int j, int)
+{
+  std::copy_n(array_atom[i], int(SHOWN), array_atom[j]);
+  std::copy_n(history[i], int(COLUMNS), history[j]);
+}
+
+void FixLbIbb::set_arrays(int i)
+{
+  std::fill_n(array_atom[i], int(SHOWN), 0.0);
+  std::fill_n(history[i], int(COLUMNS), 0.0);
+}
+
+int FixLbIbb::pack_exchange(int i, double *buf)
+{
+  std::copy_n(array_atom[i], int(SHOWN), buf);
+  std::copy_n(history[i], int(COLUMNS), buf + SHOWN);
+  return SHOWN + COLUMNS;
+}
+
+int FixLbIbb::unpack_exchange(int i, double *buf)
+{
+  std::copy_n(buf, int(SHOWN), array_atom[i]);
+  std::copy_n(buf + SHOWN, int(COLUMNS), history[i]);
+  return SHOWN + COLUMNS;
+}
+
+int FixLbIbb::pack_forward_comm(int n, int *list, double *buf, int, int *)
+{
+  int m = 0;
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < OUT; k++) buf[m++] = ghosted[list[i]][k];
+  return m;
+}
+
+void FixLbIbb::unpack_forward_comm(int n, int first, double *buf)
+{
+  int m = 0;
+  for (int i = first; i < first + n; i++)
+    for (int k = 0; k < OUT; k++) ghosted[i][k] = buf[m++];
+}
+
+int FixLbIbb::pack_reverse_comm(int n, int first, double *buf)
+{
+  int m = 0;
+  for (int i = first; i < first + n; i++)
+    for (int k = 0; k < BACK; k++) buf[m++] = ghosted[i][k];
+  return m;
+}
+
+void FixLbIbb::unpack_reverse_comm(int n, int *list, double *buf)
+{
+  int m = 0;
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < BACK; k++) ghosted[list[i]][k] += buf[m++];
+}
