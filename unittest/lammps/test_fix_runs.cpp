@@ -79,6 +79,18 @@ TEST_F(Runs, DefinedAnewWithAnotherTimestep)
   EXPECT_EQ(out(12), 96.0);
 }
 
+// a virial has to be announced a step ahead, whatever step the run begins at
+TEST_F(Runs, VariableThatNeedsAComputeAnnounced)
+{
+  script(box({12, 12, 12}) + grain(1, {4, 6, 6}, 2.6) + grain(2, {9.1, 6, 6}, 2.6) +
+         "\npair_style gran/lsd/coulomb\npair_coeff * * 1e-2 0.8 0.4\ncompute p all pressure NULL "
+         "pair" +
+         "\nvariable a equal 1e-9*c_p\nthermo 1000\nfix m all nve/sphere\ntimestep " +
+         num(DT / 40) + fluid("every 40 accel v_a 0 0 check 1000"));
+  EXPECT_EQ(error_of(run(3) + run(50) + run(120)), "");
+  EXPECT_NE(out(9), 0.0);
+}
+
 /* ---- scenes that lack things ---- */
 
 TEST_F(Runs, NoAtomsOfAnyStyle)
