@@ -57,7 +57,7 @@ case $case in
     [[ $said == *'bed moved'* ]] || die "the bed stayed at 1.1" ;;
   ramp)
     if [ -n "$seed" ]; then "$lmp" -in in.deposit -log none -var seed "$seed" > deposit.txt; fi
-    water -var start 0.80
+    water -var start 0.85
     carried
     onset ;;
   lighter)

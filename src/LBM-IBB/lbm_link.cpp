@@ -30,7 +30,8 @@ double Links::bytes() const
 {
   return double(node.capacity() * sizeof(uint32_t) + q.capacity() * sizeof(double) +
                 3 * arm[0].capacity() * sizeof(int16_t) + gaps.capacity() * sizeof(Gap) +
-                groups.capacity() * sizeof(LinkGroup) + hidden.capacity() * sizeof(Hidden));
+                pockets.capacity() * sizeof(uint32_t) + groups.capacity() * sizeof(LinkGroup) +
+                hidden.capacity() * sizeof(Hidden));
 }
 
 namespace {
@@ -56,6 +57,7 @@ namespace {
       // bit 0 and bit 63 are neighbours of nodes looked at only
       for (x0 = lo[0] - 1; x0 < hi[0]; x0 += 62) {
         read_bits();
+        find_pockets();
         for (int i = 1; i <= L::P; i++) {    // opposite directions use the same two arrays
           along(i);
           along(i + L::P);
@@ -92,13 +94,41 @@ namespace {
           bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s));
     }
 
+    // each is found once: with the sphere that covers its neighbour below along x
+    void find_pockets()
+    {
+      const auto wide = [](uint64_t b) {
+        return b | b << 1 | b >> 1;
+      };
+      for (int z = lo[2]; z <= hi[2]; z++)
+        for (int y = lo[1]; y <= hi[1]; y++) {
+          const Bits &here = bits(y, z);
+          const auto fluid = [&](int dy, int dz) {
+            return bits(y + dy, z + dz).negative;
+          };
+          uint64_t found = window() & here.negative & here.equal << 1 & ~(here.negative >> 1);
+          if (!found) continue;
+          found &= ~wide(fluid(-1, 0) | fluid(1, 0));
+          if constexpr (L::D == 3) {
+            found &= ~wide(fluid(0, -1) | fluid(0, 1));
+            found &= ~(fluid(-1, -1) | fluid(1, -1) | fluid(-1, 1) | fluid(1, 1));
+          }
+          for (; found; found &= found - 1)
+            links.pockets.push_back(uint32_t(at.index(x0 + __builtin_ctzll(found), y, z)));
+        }
+    }
+
+    // bits of the owned nodes looked at that may have links
+    uint64_t window() const
+    {
+      return (~uint64_t(0) >> (63 - std::min(hi[0] - x0, 62))) & ~uint64_t(1);
+    }
+
     void along(int i)
     {
       const int(&e)[3] = L::e[i];
       const std::size_t begin = links.size;
-      // owned nodes of this window that may have links
-      const int last = std::min(hi[0] - x0, 62);
-      const uint64_t window = (~uint64_t(0) >> (63 - last)) & ~uint64_t(1);
+      const uint64_t window = this->window();
       const auto seen_from = [&](uint64_t b, int sense) {    // bits of the nodes sense * e further
         return sense * e[0] > 0 ? b >> 1 : (e[0] == 0 ? b : b << 1);
       };

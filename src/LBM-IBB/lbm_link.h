@@ -8,6 +8,9 @@
 // such a pair is one Gap. If x_f' lies behind an open face, q is set to 1/2, where every rule
 // needs x_f alone.
 
+//
+// A fluid node without any fluid neighbour is a pocket, see fill_pockets() in lbm_refill.h.
+
 #ifndef LBM_LINK_H
 #define LBM_LINK_H
 
@@ -49,12 +52,13 @@ struct Links {
   std::vector<int16_t> arm[3];    // x_f - anchor(sphere)
   std::size_t size = 0;           // entries in use of the arrays above
   std::vector<Gap> gaps;
+  std::vector<uint32_t> pockets;    // fluid nodes all of whose neighbours are covered
   std::vector<Hidden> hidden;
   std::size_t at_open_faces = 0;
   std::vector<Bits> bits;    // scratch of find_links()
 
-  void clear();
-  void trim();    // give back what is allocated and not in use
+  void clear();    // all but the pockets, which wait for the links of all spheres
+  void trim();     // give back what is allocated and not in use
   double bytes() const;
 };
 

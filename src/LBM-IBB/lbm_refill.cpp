@@ -198,13 +198,34 @@ void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vecto
   }
 }
 
+template <class L>
+void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
+                  const std::vector<uint32_t> &pockets, const Vec3 &force)
+{
+  for (const Index n : pockets) {
+    const Int3 p = at.node(n);
+    Moments m{0.0, {}};
+    for (int i = 1; i < L::Q; i++) {
+      const int32_t s = cover.owner()[n + at.offset(L::e[i])];
+      const Sphere &sphere = cover.spheres()[s];
+      const Vec3 &c = cover.centre(s);
+      const Vec3 u = sphere.velocity_at({p[0] - c[0], p[1] - c[1], p[2] - c[2]});
+      m.drho += sphere.drho / (L::Q - 1);
+      for (int d = 0; d < L::D; d++) m.u[d] += u[d] / (L::Q - 1);
+    }
+    for (int i = 0; i < L::Q; i++) f[i][n] = bare_equilibrium<L>(i, m, force);
+  }
+}
+
 #define LBM_INSTANTIATE(L)                                                                         \
   template void refill_grad<L>(const Layout &, const Slots<L> &, const Cover &, const Cover &,     \
                                const std::vector<Uncovered> &, double, const Vec3 &, Neighbours &, \
                                RefillCount &);                                                     \
   template void refill_equilibrium<L>(const Slots<L> &, const Cover &,                             \
                                       const std::vector<Uncovered> &, double, const Vec3 &,        \
-                                      RefillCount &);
+                                      RefillCount &);                                              \
+  template void fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,                   \
+                                const std::vector<uint32_t> &, const Vec3 &);
 LBM_INSTANTIATE(D3Q19)
 LBM_INSTANTIATE(D2Q9)
 #undef LBM_INSTANTIATE

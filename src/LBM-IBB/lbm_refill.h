@@ -42,5 +42,13 @@ template <class L>
 void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
                         double drho_mean, const Vec3 &force, RefillCount &count);
 
+// Fluid nodes that spheres enclose on all sides, after the link pass; f as above. Nothing can flow
+// in or out on this lattice, though water could: left alone, such a node is pumped up or emptied by
+// the smallest motion, and presses on its spheres accordingly. It gets the equilibrium of the mean
+// density around these spheres, and of their mean velocity.
+template <class L>
+void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
+                  const std::vector<uint32_t> &pockets, const Vec3 &force);
+
 }    // namespace lbm
 #endif

@@ -178,6 +178,7 @@ namespace {
         return;
       }
       if (moved) {
+        list.pockets.clear();
         nlinks = ngaps = 0;
         for (std::size_t s = 0; s < loads.size(); s++) {
           list.clear();
@@ -189,10 +190,12 @@ namespace {
         if (!kept_links) keep_links();
         bounce_back_all(loads);
       }
+      fill_pockets<L>(at, block.slots(), *now, list.pockets, force);
     }
 
     void keep_links()
     {
+      list.pockets.clear();
       list.clear();
       for (std::size_t s = 0; s < now->spheres().size(); s++) find_links<L>(at, *now, s, list);
       list.trim();
