@@ -23,11 +23,11 @@ water() {
   said=$(grep -E '^(steady|quicksand|wall)' "$file")
   echo "$*: $said"
   # density range beyond the imposed one, in per cent, while the bed stands (later grains collide)
-  awk '/^ *Step .*v_beyond/ { for (c = 1; c <= NF; c++) at[$c] = c; read = 1; next }
-       $1 !~ /^[0-9]+$/ { read = 0 }
-       read && $at["v_rise"] < 0.05 && $at["v_beyond"] > most { most = $at["v_beyond"] }
-       END { print "density range beyond the imposed one: " most + 0 " %"; exit !(most <= 1.5) }' "$file" ||
-    die "density strays by more than 1.5 %"
+  beyond=$(awk '/^ *Step .*v_beyond/ { for (c = 1; c <= NF; c++) at[$c] = c; read = 1; next }
+                $1 !~ /^[0-9]+$/ { read = 0 }
+                read && $at["v_rise"] < 0.05 && $at["v_beyond"] > most { most = $at["v_beyond"] }
+                END { print most + 0 }' "$file")
+  echo "density range beyond the imposed one: $beyond %"
 }
 
 # within LOW VALUE HIGH WHAT
@@ -58,6 +58,7 @@ case $case in
   ramp)
     if [ -n "$seed" ]; then "$lmp" -in in.deposit -log none -var seed "$seed" > deposit.txt; fi
     water -var start 0.85
+    within 0 "$beyond" 1.5 'density range beyond the imposed one, in per cent,'
     carried
     onset ;;
   lighter)
