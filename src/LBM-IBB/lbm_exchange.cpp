@@ -70,6 +70,15 @@ namespace {
     }
   }
 
+  // indices of nodes; they fit, if not their parts, so that sums modulo 2^32 are right
+  template <int W>
+  LBM_INLINE inline PackUnsigned<W> index(const Layout &at, const PackInt<W> (&place)[3])
+  {
+    using U = PackUnsigned<W>;
+    return U(place[0]) + U(place[1]) * uint32_t(at.stride_y) +
+        U(place[2]) * uint32_t(at.stride_z) + uint32_t(at.origin);
+  }
+
   // the slots that a link along i uses, see lbm_block.h: each is one address per node
   template <class L> struct LinkSlots {
     const double *r1, *r2, *r3;
@@ -85,17 +94,21 @@ namespace {
   };
 
   template <class L, class Rule, bool moving, int W>
-  LBM_INLINE inline void bounce_back_pack(const LinkSlots<L> &slot, const Sphere &sphere,
-                                          const Vec3 &offset, const int (&e)[3], double weight,
-                                          const Links &links, std::size_t k, const float *drho,
-                                          Sums<Pack<W>> &sums)
+  LBM_INLINE inline void bounce_back_pack(const Layout &at, const LinkSlots<L> &slot,
+                                          const Sphere &sphere, const Vec3 &centre,
+                                          const int (&e)[3], double weight, const Links &links,
+                                          std::size_t k, const float *drho, Sums<Pack<W>> &sums)
   {
     using V = Pack<W>;
-    const uint32_t *n = &links.node[k];
+    PackInt<W> place[3];
+    for (int d = 0; d < 3; d++)
+      place[d] = convert<PackInt<W>>(load<PackShort<W>>(&links.place[d][k]));
     const V q = load<V>(&links.q[k]);
     V arm[3];    // x_w - c
     for (int d = 0; d < 3; d++)
-      arm[d] = convert<V>(load<PackShort<W>>(&links.arm[d][k])) + offset[d] + double(e[d]) * q;
+      arm[d] = convert<V>(place[d]) - centre[d] + double(e[d]) * q;
+    uint32_t n[W];
+    store(n, index<W>(at, place));
     const Coefficients<V> c = Rule::template at<V>(q);
     const V out = gather<W>(slot.r1, n);
     V back = c.c1 * out;
@@ -120,7 +133,7 @@ namespace {
   {
     const int i = gap.direction, o = opposite<L>(i);
     const LinkSlots<L> slot(at, f, i);
-    const Index n = gap.node;
+    const Index n = at.index(gap.place[0], gap.place[1], gap.place[2]);
     const double out[2] = {slot.r1[n], slot.r3[n]};
     double q[2] = {gap.q_ahead, gap.q_behind};
     const double room = q[0] + q[1];
@@ -133,7 +146,7 @@ namespace {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       const Sphere &sphere = cover.spheres()[owner[k]];
       const Vec3 &centre = cover.centre(owner[k]);
-      for (int d = 0; d < 3; d++) arm[k][d] = gap.p[d] - centre[d] + q[k] * e[d];
+      for (int d = 0; d < 3; d++) arm[k][d] = gap.place[d] - centre[d] + q[k] * e[d];
       const Coefficients<double> c = Rule::at(q[k]);
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
@@ -182,16 +195,14 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const LinkSlots<L> slot(at, f, i);
     const Sphere &sphere = cover.spheres()[group.sphere];
     const Vec3 c = cover.centre(group.sphere);
-    const Int3 a = anchor(c);
-    const Vec3 offset{a[0] - c[0], a[1] - c[1], a[2] - c[2]};
     Sums<Pack<W>> sums;
     Sums<double> tail;
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
-      bounce_back_pack<L, Rule, moving, W>(slot, sphere, offset, L::e[i], L::w[i], links, k, drho,
+      bounce_back_pack<L, Rule, moving, W>(at, slot, sphere, c, L::e[i], L::w[i], links, k, drho,
                                            sums);
     for (; k < group.end; k++)
-      bounce_back_pack<L, Rule, moving, 1>(slot, sphere, offset, L::e[i], L::w[i], links, k, drho,
+      bounce_back_pack<L, Rule, moving, 1>(at, slot, sphere, c, L::e[i], L::w[i], links, k, drho,
                                            tail);
     sums.links = double(group.end - group.begin);
     add(sums, L::w[i], loads[group.sphere]);

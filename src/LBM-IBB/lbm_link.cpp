@@ -20,17 +20,15 @@ void Links::trim()
     list.resize(size);
     list.shrink_to_fit();
   };
-  fit(node);
   fit(q);
-  for (auto &component : arm) fit(component);
+  for (auto &component : place) fit(component);
   gaps.shrink_to_fit();
 }
 
 double Links::bytes() const
 {
-  return double(node.capacity() * sizeof(uint32_t) + q.capacity() * sizeof(double) +
-                3 * arm[0].capacity() * sizeof(int16_t) + gaps.capacity() * sizeof(Gap) +
-                pockets.capacity() * sizeof(uint32_t) + groups.capacity() * sizeof(LinkGroup) +
+  return double(q.capacity() * sizeof(double) + 3 * place[0].capacity() * sizeof(int16_t) +
+                gaps.capacity() * sizeof(Gap) + pockets.capacity() * sizeof(uint32_t) + groups.capacity() * sizeof(LinkGroup) +
                 hidden.capacity() * sizeof(Hidden));
 }
 
@@ -41,7 +39,7 @@ namespace {
   template <class L> class Finder {
    public:
     Finder(const Layout &at, const Cover &cover, std::size_t s, Links &links) :
-        at(at), cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)), origin(anchor(c)),
+        at(at), cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)),
         open_faces(cover.has_open_faces()), links(links), first_hidden(links.hidden.size())
     {
       const double reach = cover.spheres()[s].radius + 1.0;
@@ -71,7 +69,6 @@ namespace {
     const std::size_t s;
     const int32_t *owner;
     const Vec3 c;
-    const Int3 origin;
     const bool open_faces;
     Links &links;
     const std::size_t first_hidden;
@@ -153,20 +150,18 @@ namespace {
     void add_links(int i, uint64_t found, int y, int z)
     {
       const std::size_t most = links.size + 64;
-      if (links.node.size() < most) {
+      if (links.q.size() < most) {
         const std::size_t room = std::max<std::size_t>(2 * most, 1024);
-        links.node.resize(room);
         links.q.resize(room);
-        for (auto &component : links.arm) component.resize(room);
+        for (auto &component : links.place) component.resize(room);
       }
       const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
       for (; found; found &= found - 1) {
         const int k = __builtin_ctzll(found);
         if (open_faces && owner[row + k + back] == OUTSIDE) at_open_face.push_back(links.size);
-        links.node[links.size] = uint32_t(row + k);
-        links.arm[0][links.size] = int16_t(x0 + k - origin[0]);
-        links.arm[1][links.size] = int16_t(y - origin[1]);
-        links.arm[2][links.size] = int16_t(z - origin[2]);
+        links.place[0][links.size] = int16_t(x0 + k);
+        links.place[1][links.size] = int16_t(y);
+        links.place[2][links.size] = int16_t(z);
         links.size++;
       }
     }
@@ -174,13 +169,13 @@ namespace {
     void set_fractions(int i, std::size_t begin)
     {
       const double r = cover.spheres()[s].radius;
-      const Vec3 f{origin[0] - c[0], origin[1] - c[1], origin[2] - c[2]};
-      const int16_t *x = links.arm[0].data(), *y = links.arm[1].data(), *z = links.arm[2].data();
+      const int16_t *x = links.place[0].data(), *y = links.place[1].data(),
+                    *z = links.place[2].data();
       double *q = links.q.data();
       const int(&e)[3] = L::e[i];
 #pragma GCC ivdep
       for (std::size_t k = begin; k < links.size; k++)
-        q[k] = cut({x[k] + f[0], y[k] + f[1], z[k] + f[2]}, e, r);
+        q[k] = cut({x[k] - c[0], y[k] - c[1], z[k] - c[2]}, e, r);
       for (std::size_t k : at_open_face) q[k] = 0.5;
       links.at_open_faces += at_open_face.size();
       at_open_face.clear();
@@ -215,9 +210,8 @@ namespace {
         const int32_t behind = owner[row + k + back];
         const Vec3 b = cover.centre(behind);
         links.gaps.push_back(
-            {uint32_t(row + k),
-             {x, y, z},
-             int32_t(i),
+            {{int16_t(x), int16_t(y), int16_t(z)},
+             int16_t(i),
              int32_t(s),
              behind,
              cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),

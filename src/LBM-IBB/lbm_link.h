@@ -7,7 +7,6 @@
 // If x_f' is covered too (a gap of one node), the two links of x_f along i depend on each other:
 // such a pair is one Gap. If x_f' lies behind an open face, q is set to 1/2, where every rule
 // needs x_f alone.
-
 //
 // A fluid node without any fluid neighbour is a pocket, see fill_pockets() in lbm_refill.h.
 
@@ -30,9 +29,8 @@ struct LinkGroup {
 
 // the pair of links of one node along i = 1..P and its opposite
 struct Gap {
-  uint32_t node;
-  Int3 p;    // the node, in the coordinates of the block
-  int32_t direction;
+  std::array<int16_t, 3> place;    // x_f, in the coordinates of the block
+  int16_t direction;
   int32_t ahead, behind;    // spheres that cover x_f + e_i and x_f - e_i
   double q_ahead, q_behind;
 };
@@ -47,10 +45,9 @@ struct Hidden {
 
 struct Links {
   std::vector<LinkGroup> groups;
-  std::vector<uint32_t> node;    // x_f, index in the block
+  std::vector<int16_t> place[3];    // x_f, in the coordinates of the block
   std::vector<double> q;
-  std::vector<int16_t> arm[3];    // x_f - anchor(sphere)
-  std::size_t size = 0;           // entries in use of the arrays above
+  std::size_t size = 0;    // entries in use of the arrays above
   std::vector<Gap> gaps;
   std::vector<uint32_t> pockets;    // fluid nodes all of whose neighbours are covered
   std::vector<Hidden> hidden;
@@ -61,12 +58,6 @@ struct Links {
   void trim();     // give back what is allocated and not in use
   double bytes() const;
 };
-
-// lattice node next to the centre c, in the coordinates of the block
-inline Int3 anchor(const Vec3 &c)
-{
-  return {int(std::lround(c[0])), int(std::lround(c[1])), int(std::lround(c[2]))};
-}
 
 // fraction q of the link from node d = x_f - c, outside, along e, where it enters the sphere
 inline double cut(const Vec3 &d, const int (&e)[3], double radius)

@@ -48,6 +48,7 @@ template <int W> using Pack = typename detail::Vector<double, W>::type;
 template <int W> using PackInt = typename detail::Vector<int32_t, W>::type;
 template <int W> using PackFloat = typename detail::Vector<float, W>::type;
 template <int W> using PackShort = typename detail::Vector<int16_t, W>::type;
+template <int W> using PackUnsigned = typename detail::Vector<uint32_t, W>::type;
 template <int W> using PackMask = typename detail::Vector<int64_t, W>::type;
 
 // f(0), f(1), ... f(N-1), each with its index known at compile time

@@ -158,17 +158,17 @@ template <class L, class Rule> class Channel {
     for (int wall = 0; wall < 2; wall++)
       for (int i = 1; i < L::Q; i++) {
         const std::size_t begin = links.size;
-        for_each_node([&](const Int3 &p, Index n) {
+        for_each_node([&](const Int3 &p, Index) {
           int meets = 0, other = 0;
           const double q = cut_at(p, i, meets), behind = cut_at(p, opposite<L>(i), other);
           if (meets != wall || q > 1.0) return;
           if (behind <= 1.0) {
-            if (i <= L::P) links.gaps.push_back({uint32_t(n), p, i, wall, other, q, behind});
+            const std::array<int16_t, 3> place{int16_t(p[0]), int16_t(p[1]), int16_t(p[2])};
+            if (i <= L::P) links.gaps.push_back({place, int16_t(i), wall, other, q, behind});
             return;
           }
-          links.node.push_back(uint32_t(n));
           links.q.push_back(q);
-          for (auto &arm : links.arm) arm.push_back(0);
+          for (int d = 0; d < 3; d++) links.place[d].push_back(int16_t(p[d]));
           links.size++;
         });
         if (links.size > begin) links.groups.push_back({wall, i, begin, links.size});
