@@ -19,15 +19,16 @@ cd "$folder"
 # water OPTIONS...   run the example; its words go to $said
 water() {
   local file=run-$#-${*: -1}.txt
-  mpirun -np 2 "$lmp" -in in.quicksand -log none "$@" > "$file" 2>&1 || { tail -n 30 "$file"; die "lmp failed: $*"; }
+  mpirun -np 2 "$lmp" -in in.quicksand -log none -var watch 125 "$@" > "$file" 2>&1 || { tail -n 30 "$file"; die "lmp failed: $*"; }
   said=$(grep -E '^(steady|quicksand|wall)' "$file")
   echo "$*: $said"
   # density range beyond the imposed one, in per cent, while the bed stands (later grains collide)
-  beyond=$(awk '/^ *Step .*v_beyond/ { for (c = 1; c <= NF; c++) at[$c] = c; read = 1; next }
-                $1 !~ /^[0-9]+$/ { read = 0 }
-                read && $at["v_rise"] < 0.05 && $at["v_beyond"] > most { most = $at["v_beyond"] }
-                END { print most + 0 }' "$file")
-  echo "density range beyond the imposed one: $beyond %"
+  read -r beyond peak looks < <(awk '
+    /^ *Step .*v_beyond/ { for (c = 1; c <= NF; c++) at[$c] = c; read = 1; next }
+    $1 !~ /^[0-9]+$/ { read = 0 }
+    read && $at["v_rise"] < 0.05 { n++; if ($at["v_beyond"] > 1.5) more++; if ($at["v_beyond"] > most) most = $at["v_beyond"] }
+    END { print n ? 100 * more / n : 100, most + 0, n + 0 }' "$file")
+  echo "density range beyond the imposed one: above 1.5 % in $beyond % of $looks looks, at most $peak %"
 }
 
 # within LOW VALUE HIGH WHAT
@@ -36,9 +37,11 @@ within() {
     die "$4 = $2 is not between $1 and $3"
 }
 
-# everywhere but in "steady", where 1.8 % was seen at one moment: two nodes that grains enclose together
+# A loose grain that hits another stops within 0.1 ms, and the water around it with it: a pressure of
+# about rho r a, here 20 to 40 Pa. That is 1.5 to 3 % of rho c_s^2 and no error; it is rare and short.
 density() {
-  within 0 "$beyond" 1.5 'density range beyond the imposed one, in per cent,'
+  within 0 "$beyond" 1 'share of looks with more than 1.5 % of density beyond the imposed range'
+  within 0 "$peak" 5 'density range beyond the imposed one, in per cent,'
 }
 
 carried() {
@@ -52,6 +55,7 @@ onset() {
 case $case in
   steady)
     water -var ratio 0.8 -var hold 0.01
+    density
     carried
     [[ $said == *'bed still'* ]] || die "the bed moved at 0.8" ;;
   hold)

@@ -285,12 +285,5 @@ void FixLbIbb::review_setup()
     if (finding.fatal) error->all(FLERR, "Fix lb/ibb: {}", finding.text);
     if (comm->me == 0) error->warning(FLERR, "Fix lb/ibb: {}", finding.text);
   }
-  for (int d = 0; d < domain->dimension; d++)
-    if (largest > 0.0 && comm->cutghost[d] < largest + 1.5 * options.dx)
-      error->all(
-          FLERR,
-          "Fix lb/ibb: ghost cutoff {} is too small, {} is needed (largest radius + 2 dx + skin): "
-          "use comm_modify cutoff",
-          comm->cutghost[d], largest + 2.0 * options.dx + neighbor->skin);
   print_summary(plan.smallest_radius, largest, now.pressure_difference);
 }

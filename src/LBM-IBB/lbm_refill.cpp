@@ -2,6 +2,7 @@
 
 #include "lbm_refill.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 
 namespace lbm {
@@ -150,7 +151,7 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
   const auto samples = Around<L>(at, f, before, now, force, neighbours).collect(nodes);
   for (std::size_t k = 0; k < nodes.size(); k++) {
     Moments m{0.0, solid_velocity(before, nodes[k])};
-    double gradient[3][3] = {};    // [a][b] = d u_a / d x_b
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();    // (a, b) = d u_a / d x_b
     int known = 0;
     for (int b = 0; b < L::D; b++) {
       const auto &lo = samples[k][2 * b], &hi = samples[k][2 * b + 1];
@@ -161,7 +162,7 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
         }
       for (int a = 0; a < L::D; a++) {
         const double below = lo.known ? lo.m.u[a] : m.u[a], above = hi.known ? hi.m.u[a] : m.u[a];
-        gradient[a][b] = (above - below) / (lo.known && hi.known ? 2.0 : 1.0);
+        gradient(a, b) = (above - below) / (lo.known && hi.known ? 2.0 : 1.0);
       }
     }
     if (known)
@@ -173,16 +174,11 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
     if (known) count.grad++;
 
     // f = f_eq + 4.5 w rho P:(ee - I/3),  P = -(tau/3) (grad u + grad u^T)
-    double P[3][3], trace = 0.0;
-    for (int a = 0; a < 3; a++)
-      for (int b = 0; b < 3; b++) P[a][b] = -tau / 3.0 * (gradient[a][b] + gradient[b][a]);
-    for (int a = 0; a < 3; a++) trace += P[a][a];
+    const Eigen::Matrix3d P = -tau / 3.0 * (gradient + gradient.transpose());
     for (int i = 0; i < L::Q; i++) {
-      double Pee = 0.0;
-      for (int a = 0; a < 3; a++)
-        for (int b = 0; b < 3; b++) Pee += L::e[i][a] * L::e[i][b] * P[a][b];
-      f[i][nodes[k].n] =
-          bare_equilibrium<L>(i, m, force) + 4.5 * L::w[i] * (1.0 + m.drho) * (Pee - trace / 3.0);
+      const Eigen::Vector3d e(L::e[i][0], L::e[i][1], L::e[i][2]);
+      f[i][nodes[k].n] = bare_equilibrium<L>(i, m, force) +
+          4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0);
     }
   }
 }

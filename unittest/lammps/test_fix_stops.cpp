@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // What stops a run with fix lb/ibb: message with place, time, grain and likely cause.
 
 #include "fluid_scenes.h"
@@ -49,6 +47,16 @@ TEST_F(Stops, CheckBeforeOutput)
 {
   script(box({8, 8, 8}) + fluid("accel 1.0 0 0 check 100000") + "\nthermo 30");
   EXPECT_ERROR(run(100), "stopped at step 30, fluid step 30:");
+}
+
+// thrown off a wall so fast that nothing is left there
+TEST_F(Stops, DensityBelowZero)
+{
+  script(box({8, 8, 8}, "p p f") + fluid("accel 0 0 100 face zlo wall face zhi wall check 2"));
+  const std::string message = error_of(run(20));
+  EXPECT_IN(message, "stopped at step 2, fluid step 2: at (5e-05, 5e-05, 5e-05), node (0, 0, 0), ");
+  EXPECT_IN(message, "the fluid's density is -0.");
+  EXPECT_IN(message, " times rho, it must be positive");
 }
 
 TEST_F(Stops, ValuesThatAreNoNumbers)
