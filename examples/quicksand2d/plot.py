@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Pictures of the runs that figure.sh made: snapshots as in figures 13-15 of the article, the rise of
+the bed, and profiles of porosity and local gradient. The article has no scales or numbers to draw
+beside them but those of its text, which are marked."""
+import os
+import numpy as np
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.collections import EllipseCollection
+import tables
+
+RUNS = [("i110", "13", "1.1"), ("i100", "14", "1.0"), ("low", "15", "lowest"), ("i090", "", "0.9")]
+WIDTH, HEIGHT, FLOOR, LID = 14.4, 17.28, 0.288, 16.992
+
+
+def ratio(name):
+    return tables.series(name)[-1][2]
+
+
+def draw_snapshots(name, figure_number):
+    shots = tables.snapshots(name)
+    first = {int(r[0]): r[2] for r in shots[0][1]}
+    if len(shots) > 8:    # the first, and seven more at equal distances
+        shots = [shots[round(k * (len(shots) - 1) / 7)] for k in range(8)]
+    columns = 4
+    rows = -(-len(shots) // columns)
+    fig, axes = plt.subplots(rows, columns, figsize=(11, 3.6 * rows), squeeze=False)
+    for axis in axes.flat:
+        axis.axis("off")
+    low, high = min(first.values()), max(first.values())
+    dt = timestep(name)
+    for axis, (step, grains) in zip(axes.flat, shots):
+        g = np.array(grains)
+        x, y, d = 1e3 * (g[:, 1] % (1e-3 * WIDTH)), 1e3 * g[:, 2], 2e3 * g[:, 3]
+        # bands of the height at the start show how the bed deforms
+        band = np.array([int(8 * (first[int(i)] - low) / (high - low + 1e-9)) for i in g[:, 0]])
+        for shift in (-WIDTH, 0.0, WIDTH):
+            axis.add_collection(EllipseCollection(
+                d, d, np.zeros_like(d), units="xy", offsets=np.c_[x + shift, y],
+                transOffset=axis.transData, facecolors=np.where(band % 2, "#8c6d31", "#e7cb94"),
+                edgecolors="#4d3a10", linewidths=0.3))
+        for height in FLOOR, LID:
+            axis.axhline(height, color="0.3", lw=0.8)
+        axis.set(xlim=(0, WIDTH), ylim=(0, HEIGHT), aspect="equal", xticks=[], yticks=[])
+        axis.axis("on")
+        axis.set_facecolor("#d6ebf5")
+        axis.set_title(f"t = {step * dt:.3f} s = {step * dt / 0.065:.0f} $\\delta t$", fontsize=9)
+    fig.suptitle(f"figure {figure_number}: i = {ratio(name):.3f} $i_c$, box {WIDTH} x {HEIGHT} mm; "
+                 "bands mark the height at the start")
+    fig.tight_layout()
+    fig.savefig(f"figure{figure_number}.png", dpi=90)
+    plt.close(fig)
+
+
+def timestep(name):
+    last = tables.series(name)[-1]
+    before = tables.series(name)[-2]
+    return (last[1] - before[1]) / (last[0] - before[0])
+
+
+def draw_rise(runs):
+    fig, axes = plt.subplots(1, 2, figsize=(10, 4))
+    for name, _, _ in runs:
+        s = np.array(tables.series(name))
+        axes[0].plot(s[:, 1], s[:, 3], label=f"{s[-1, 2]:.3f}")
+        axes[1].plot(s[:, 1], s[:, 5], label=f"{s[-1, 2]:.3f}")
+    axes[0].axhline(0.05, color="0.6", lw=0.8)
+    axes[0].set(xlabel="time (s)", ylabel="mean rise / mean diameter", yscale="symlog")
+    axes[0].set_yscale("symlog", linthresh=0.05)
+    axes[0].legend(title="$i/i_c$")
+    axes[1].set(xlabel="time (s)", ylabel="$\\Sigma F_y / \\Delta p S$", ylim=(0.9, 1.1))
+    axes[1].axhline(1.00018, color="k", ls=":", lw=0.8, label="article, at 0.90: 1.00018")
+    axes[1].legend(title="$i/i_c$")
+    fig.tight_layout()
+    fig.savefig("rise.png", dpi=110)
+    plt.close(fig)
+
+
+def draw_profiles(name):
+    """porosity and local gradient before the bed goes, while it loosens, and after"""
+    dt = timestep(name)
+    s = tables.series(name)
+    end = s[-1][1]
+    # moments by the mean rise of the bed, in diameters
+    times = [0.1]
+    for rise in 0.02, 0.05, 0.2, 0.6:
+        later = [row[1] for row in s if row[3] > rise and row[1] > times[-1] + 0.02]
+        if later and later[0] < end - 0.01:
+            times.append(later[0])
+    fig, axes = plt.subplots(1, 3, figsize=(11, 5.2), sharey=True)
+    colours = plt.cm.viridis(np.linspace(0, 0.9, len(times)))
+    for t, colour in zip(times, colours):
+        p = np.array(tables.mean_profile(name, t - 0.01, t + 0.01, dt))
+        y, bed = 1e3 * p[:, 0], p[:, 1] < 0.75
+        label = f"{t:.2f} s, rise {np.interp(t, [r[1] for r in s], [r[3] for r in s]):.2f} d"
+        axes[0].plot(p[:, 1], y, "o-", ms=3, color=colour, label=label)
+        axes[1].plot(np.where(bed, p[:, 4], np.nan), y, "o-", ms=3, color=colour)
+        axes[2].plot(p[:, 7], y, "o-", ms=3, color=colour)
+    axes[0].set(xlabel="porosity", ylabel="height (mm)")
+    axes[1].set(xlabel="local gradient $i(y)/i_c(y)$", xlim=(0, 2))
+    axes[1].axvline(1.0, color="0.6", lw=0.8)
+    axes[2].set(xlabel="effective stress (Pa)")
+    axes[2].axvline(0.0, color="0.6", lw=0.8)
+    axes[0].legend(fontsize=8)
+    fig.suptitle(f"i = {ratio(name):.3f} $i_c$, means over 20 ms by layers of 0.576 mm")
+    fig.tight_layout()
+    fig.savefig(f"profile-{name}.png", dpi=110)
+    plt.close(fig)
+
+
+if __name__ == "__main__":
+    there = [run for run in RUNS if os.path.exists(run[0] + ".dat")]
+    for name, number, _ in there:
+        if number:
+            draw_snapshots(name, number)
+        draw_profiles(name)
+    draw_rise(there)
