@@ -1,6 +1,6 @@
 #!/bin/bash
 # Figures 13-15 of the article: figure.sh quick|full, in a copy of this folder; LMP is lmp.
-# quick: width/200, i = 0.9 and 1.1 i_c. full: width/400, and 1.0 and the lowest that triggers.
+# quick: width/200, i = 0.9 and 1.1 i_c. full: width/400, also 1.0 and a slow rise until the bed lifts.
 set -e
 run() { # name, options
   local name=$1
@@ -12,14 +12,13 @@ run() { # name, options
 case ${1:-quick} in
   quick)
     run i090 -var cells 200 -var ratio 0.9 -var hold 0.195 -var still 0.065
-    run i110 -var cells 200 -var ratio 1.1 -var hold 0.195
+    run i110 -var cells 200 -var ratio 1.1 -var hold 0.26
     ;;
   full)
-    run ramp -var cells 200
     run i090 -var cells 400 -var ratio 0.9 -var hold 0.39 -var still 0.195
     run i110 -var cells 400 -var ratio 1.1 -var hold 0.26
     run i100 -var cells 400 -var ratio 1.0 -var hold 0.325
-    run low -var cells 400 -var ratio 0.97 -var hold 0.65
+    run low -var cells 400 -var start 0.95 -var rate 0.1 -var after 0.39
     ;;
   *) echo "figure.sh quick|full" && exit 2 ;;
 esac

@@ -10,8 +10,9 @@ import matplotlib.pyplot as plt
 from matplotlib.collections import EllipseCollection
 import tables
 
-RUNS = [("i110", "13", "1.1"), ("i100", "14", "1.0"), ("low", "15", "lowest"), ("i090", "", "0.9")]
-WIDTH, HEIGHT, FLOOR, LID = 14.4, 17.28, 0.288, 16.992
+RUNS = [("i110", "13"), ("i100", "14"), ("low", "15"), ("i090", "")]
+WIDTH, HEIGHT, FLOOR, LID, DELTA = 14.4, 17.28, 0.288, 16.992, 0.065    # mm, s
+G_SUBMERGED = 1.6e4    # (rho_s - rho) g, N/m3
 
 
 def ratio(name):
@@ -21,8 +22,7 @@ def ratio(name):
 def draw_snapshots(name, figure_number):
     shots = tables.snapshots(name)
     first = {int(r[0]): r[2] for r in shots[0][1]}
-    if len(shots) > 8:    # the first, and seven more at equal distances
-        shots = [shots[round(k * (len(shots) - 1) / 7)] for k in range(8)]
+    shots = shots[-8:]
     columns = 4
     rows = -(-len(shots) // columns)
     fig, axes = plt.subplots(rows, columns, figsize=(11, 3.6 * rows), squeeze=False)
@@ -45,7 +45,7 @@ def draw_snapshots(name, figure_number):
         axis.set(xlim=(0, WIDTH), ylim=(0, HEIGHT), aspect="equal", xticks=[], yticks=[])
         axis.axis("on")
         axis.set_facecolor("#d6ebf5")
-        axis.set_title(f"t = {step * dt:.3f} s = {step * dt / 0.065:.0f} $\\delta t$", fontsize=9)
+        axis.set_title(f"t = {step * dt:.3f} s = {step * dt / DELTA:.0f} $\\delta t$", fontsize=9)
     fig.suptitle(f"figure {figure_number}: i = {ratio(name):.3f} $i_c$, box {WIDTH} x {HEIGHT} mm; "
                  "bands mark the height at the start")
     fig.tight_layout()
@@ -61,12 +61,12 @@ def timestep(name):
 
 def draw_rise(runs):
     fig, axes = plt.subplots(1, 2, figsize=(10, 4))
-    for name, _, _ in runs:
+    for name in runs:
         s = np.array(tables.series(name))
         axes[0].plot(s[:, 1], s[:, 3], label=f"{s[-1, 2]:.3f}")
         axes[1].plot(s[:, 1], s[:, 5], label=f"{s[-1, 2]:.3f}")
     axes[0].axhline(0.05, color="0.6", lw=0.8)
-    axes[0].set(xlabel="time (s)", ylabel="mean rise / mean diameter", yscale="symlog")
+    axes[0].set(xlabel="time (s)", ylabel="mean rise / mean diameter")
     axes[0].set_yscale("symlog", linthresh=0.05)
     axes[0].legend(title="$i/i_c$")
     axes[1].set(xlabel="time (s)", ylabel="$\\Sigma F_y / \\Delta p S$", ylim=(0.9, 1.1))
@@ -78,41 +78,47 @@ def draw_rise(runs):
 
 
 def draw_profiles(name):
-    """porosity and local gradient before the bed goes, while it loosens, and after"""
+    """porosity, pressure drop, local gradient and effective stress: at rest, and as the bed goes"""
     dt = timestep(name)
     s = tables.series(name)
     end = s[-1][1]
-    # moments by the mean rise of the bed, in diameters
     times = [0.1]
-    for rise in 0.02, 0.05, 0.2, 0.6:
-        later = [row[1] for row in s if row[3] > rise and row[1] > times[-1] + 0.02]
-        if later and later[0] < end - 0.01:
-            times.append(later[0])
-    fig, axes = plt.subplots(1, 3, figsize=(11, 5.2), sharey=True)
+    for rise in 0.05, 0.2, 0.6, 1.5:    # mean diameters
+        t = tables.when(s, 3, rise)
+        if t and times[-1] + 0.02 < t < end - 0.02:
+            times.append(t)
+    fig, axes = plt.subplots(1, 4, figsize=(13, 5.2), sharey=True)
     colours = plt.cm.viridis(np.linspace(0, 0.9, len(times)))
+    first = np.array(tables.mean_profile(name, times[0] - 0.02, times[0] + 0.02, dt))
+    inside = first[:, 1] < 0.5
+    critical = G_SUBMERGED * (1.0 - first[inside, 1].mean())
     for t, colour in zip(times, colours):
         p = np.array(tables.mean_profile(name, t - 0.01, t + 0.01, dt))
         y, bed = 1e3 * p[:, 0], p[:, 1] < 0.75
-        label = f"{t:.2f} s, rise {np.interp(t, [r[1] for r in s], [r[3] for r in s]):.2f} d"
-        axes[0].plot(p[:, 1], y, "o-", ms=3, color=colour, label=label)
-        axes[1].plot(np.where(bed, p[:, 4], np.nan), y, "o-", ms=3, color=colour)
-        axes[2].plot(p[:, 7], y, "o-", ms=3, color=colour)
+        style = {"marker": "o", "ms": 3, "color": colour}
+        i, rise = (np.interp(t, [r[1] for r in s], [r[c] for r in s]) for c in (2, 3))
+        axes[0].plot(p[:, 1], y, label=f"{t:.2f} s, i = {i:.2f}, rise {rise:.2f} d", **style)
+        axes[1].plot(p[:, 3] / critical, y, **style)
+        axes[2].plot(np.where(bed, p[:, 4], np.nan), y, **style)
+        axes[3].plot(p[:, 7], y, **style)
     axes[0].set(xlabel="porosity", ylabel="height (mm)")
-    axes[1].set(xlabel="local gradient $i(y)/i_c(y)$", xlim=(0, 2))
-    axes[1].axvline(1.0, color="0.6", lw=0.8)
-    axes[2].set(xlabel="effective stress (Pa)")
-    axes[2].axvline(0.0, color="0.6", lw=0.8)
-    axes[0].legend(fontsize=8)
-    fig.suptitle(f"i = {ratio(name):.3f} $i_c$, means over 20 ms by layers of 0.576 mm")
+    axes[1].set(xlabel="$-dp/dy$ / critical at the start", xlim=(-0.2, 2))
+    axes[2].set(xlabel="$i(y)/i_c(y)$, by the layer's own weight", xlim=(0, 2))
+    axes[3].set(xlabel="effective stress (Pa)")
+    for axis, x in ((axes[1], 1.0), (axes[2], 1.0), (axes[3], 0.0)):
+        axis.axvline(x, color="0.6", lw=0.8)
+    axes[0].legend(fontsize=7)
+    fig.suptitle(f"{'slow rise to ' if name == 'low' else ''}i = {ratio(name):.3f} $i_c$, "
+                 "means over 20 ms by layers of 0.576 mm")
     fig.tight_layout()
-    fig.savefig(f"profile-{name}.png", dpi=110)
+    fig.savefig(f"profile-{name}.png", dpi=100)
     plt.close(fig)
 
 
 if __name__ == "__main__":
     there = [run for run in RUNS if os.path.exists(run[0] + ".dat")]
-    for name, number, _ in there:
+    for name, number in there:
         if number:
             draw_snapshots(name, number)
         draw_profiles(name)
-    draw_rise(there)
+    draw_rise([name for name, _ in there])

@@ -14,9 +14,18 @@ def log_line(name, pattern):
 
 
 def series(name):
-    """rows of NAME.dat: step, time, i/ic, rise/d, path/d, sumF/(dp S), height (mm), porosity, flux, k"""
+    """rows of NAME.dat: step, time, i/ic, rise/d, path/d, sumF/(dp S), height (mm), porosity, flux, k,
+    top (mm)"""
     with open(name + ".dat") as file:
         return [[float(x) for x in line.split()] for line in file if line[0] != "#"]
+
+
+def when(rows, column, value):
+    """time at which a column first reaches a value, on the line between two rows; None if never"""
+    for a, b in zip(rows, rows[1:]):
+        if a[column] < value <= b[column]:
+            return a[1] + (b[1] - a[1]) * (value - a[column]) / (b[column] - a[column])
+    return None
 
 
 def profiles(name):
