@@ -44,9 +44,9 @@ class Solver {
   }
   bool solid(std::size_t x) const { return owner[x].sphere >= 0; }
 
-  double density(std::size_t x) const
+  Real density(std::size_t x) const
   {
-    double rho = 0.0;
+    Real rho = 0.0;
     for (std::size_t i = 0; i < dirs.size(); i++) rho += at(f, x, i);
     return rho;
   }
@@ -55,11 +55,11 @@ class Solver {
     Vec u{0.5 * force[0], 0.5 * force[1], 0.5 * force[2]};
     for (std::size_t i = 0; i < dirs.size(); i++)
       for (int d = 0; d < 3; d++) u[d] += dirs[i].c[d] * at(f, x, i);
-    for (double &component : u) component /= density(x);
+    for (Real &component : u) component /= density(x);
     return u;
   }
   // populations before collision carry the momentum rho u - F/2
-  void set_equilibrium(std::size_t x, double rho, const Vec &u)
+  void set_equilibrium(std::size_t x, Real rho, const Vec &u)
   {
     for (std::size_t i = 0; i < dirs.size(); i++)
       at(f, x, i) = equilibrium(i, rho, u) - 3.0 * dirs[i].w * 0.5 * dot(dirs[i].c, force);
@@ -83,7 +83,7 @@ class Solver {
     post = f;
     for (std::size_t x = 0; x < nodes(); x++)
       if (!solid(x)) collide(x);
-    std::vector<double> next = f;
+    std::vector<Real> next = f;
     for (std::size_t x = 0; x < nodes(); x++)
       for (std::size_t i = 0; i < dirs.size(); i++) at(next, x, i) = arriving(x, int(i));
     press_apart();
@@ -102,23 +102,23 @@ class Solver {
   };
 
   std::vector<Direction> dirs;
-  std::vector<double> f, post;
+  std::vector<Real> f, post;
   std::vector<Owner> owner;
   std::vector<lbm::Sphere> spheres;
-  std::map<std::int64_t, double> excess;    // density excess around each grain
+  std::map<std::int64_t, Real> excess;    // density excess around each grain
 
-  double &at(std::vector<double> &a, std::size_t x, std::size_t i) const
+  Real &at(std::vector<Real> &a, std::size_t x, std::size_t i) const
   {
     return a[x * dirs.size() + i];
   }
-  double at(const std::vector<double> &a, std::size_t x, std::size_t i) const
+  Real at(const std::vector<Real> &a, std::size_t x, std::size_t i) const
   {
     return a[x * dirs.size() + i];
   }
 
-  double equilibrium(std::size_t i, double rho, const Vec &u) const
+  Real equilibrium(std::size_t i, Real rho, const Vec &u) const
   {
-    const double cu = dot(dirs[i].c, u);
+    const Real cu = dot(dirs[i].c, u);
     return rho * dirs[i].w * (1.0 + 3.0 * cu + 4.5 * cu * cu - 1.5 * dot(u, u));
   }
 
@@ -138,11 +138,11 @@ class Solver {
     return solid(index(p)) ? SOLID : FLUID;
   }
 
-  // strictly inside; deepest; then smallest id
+  // strictly inside; deepest; then smallest id; of images the one with the smallest centre
   Owner owner_of(const Node &p) const
   {
     Owner best;
-    double depth = 0.0;
+    Real depth = 0.0;
     for (std::size_t s = 0; s < spheres.size(); s++) {
       Node reach{};
       for (int d = 0; d < settings.dimension; d++)
@@ -154,11 +154,13 @@ class Solver {
             Vec arm{};
             for (int d = 0; d < settings.dimension; d++)
               arm[d] = p[d] + 0.5 - (spheres[s].centre[d] + shift[d] * n[d]);
-            const double r = spheres[s].radius;
+            const Real r = spheres[s].radius;
             if (!(dot(arm, arm) < r * r)) continue;
-            const double deep = r - std::sqrt(dot(arm, arm));
+            const Real deep = r - std::sqrt(dot(arm, arm));
+            const bool same = best.sphere == int(s);    // smaller centre: larger arm
             if (best.sphere < 0 || deep > depth ||
-                (deep == depth && spheres[s].id < spheres[best.sphere].id)) {
+                (deep == depth &&
+                 (same ? arm > best.arm : spheres[s].id < spheres[best.sphere].id))) {
               best = {int(s), arm};
               depth = deep;
             }
@@ -169,20 +171,20 @@ class Solver {
 
   void collide(std::size_t x)
   {
-    const double tau = settings.tau,
+    const Real tau = settings.tau,
                  tau_odd = settings.bgk ? tau : 0.5 + settings.magic / (tau - 0.5);
-    const double rho = density(x);
+    const Real rho = density(x);
     const Vec u = velocity(x);
     auto forcing =
         [&](std::size_t i) {    // Guo, Zheng & Shi 2002, without the factor 1 - 1/(2 tau)
-          const double cu = dot(dirs[i].c, u), cF = dot(dirs[i].c, force);
+          const Real cu = dot(dirs[i].c, u), cF = dot(dirs[i].c, force);
           return dirs[i].w * (3.0 * (cF - dot(u, force)) + 9.0 * cu * cF);
         };
     for (std::size_t i = 0; i < dirs.size(); i++) {
       const std::size_t o = dirs[i].opposite;
-      const double fi = at(f, x, i), fo = at(f, x, o);
-      const double ei = equilibrium(i, rho, u), eo = equilibrium(o, rho, u);
-      const double Fi = forcing(i), Fo = forcing(o);
+      const Real fi = at(f, x, i), fo = at(f, x, o);
+      const Real ei = equilibrium(i, rho, u), eo = equilibrium(o, rho, u);
+      const Real Fi = forcing(i), Fo = forcing(o);
       at(post, x, i) = fi - ((fi + fo) / 2 - (ei + eo) / 2) / tau -
           ((fi - fo) / 2 - (ei - eo) / 2) / tau_odd + (1 - 1 / (2 * tau)) * (Fi + Fo) / 2 +
           (1 - 1 / (2 * tau_odd)) * (Fi - Fo) / 2;
@@ -190,7 +192,7 @@ class Solver {
   }
 
   // f_i(x, t + 1); what comes through open faces is found later; solids get what fluid sends them
-  double arriving(std::size_t x, int i)
+  Real arriving(std::size_t x, int i)
   {
     Node from = node(x);
     for (int d = 0; d < 3; d++) from[d] -= dirs[i].c[d];
@@ -208,15 +210,15 @@ class Solver {
   }
 
   // half-way bounce-back; a direction that crosses an edge crosses both walls
-  double from_wall(std::size_t x, int i) const
+  Real from_wall(std::size_t x, int i) const
   {
     const Node p = node(x);
-    double value = at(post, x, dirs[i].opposite);
+    Real value = at(post, x, dirs[i].opposite);
     for (int d = 0; d < 3; d++) {
       const int from = p[d] - dirs[i].c[d];
       if (from >= 0 && from < n[d]) continue;
       const lbm::Face &face = settings.faces[d][from < 0 ? 0 : 1];
-      if (face.kind == lbm::FaceKind::WALL) value += 6.0 * dirs[i].w * dot(dirs[i].c, face.u);
+      if (face.kind == lbm::FaceKind::WALL) value += 6.0 * dirs[i].w * dot(dirs[i].c, whole(face.u));
     }
     return value;
   }
@@ -226,21 +228,22 @@ class Solver {
   // one end of a link: i from wall to fluid
   struct Cut {
     int sphere;
-    double q;
+    Real q;
     Vec arm, u;    // of x_w: from the centre, and its velocity
   };
   Cut cut(int i, const Owner &inside) const;
   void move_to_wall(Cut &cut, int i) const;
   // f_i = known + unknown * (f_o that arrives from x_f')
   struct Rule {
-    double known, unknown;
+    Real known, unknown;
   };
   Rule rule(std::size_t x, int i, const Cut &cut) const;
-  double from_sphere(std::size_t x, int i);
-  void add_load(const Cut &cut, int i, double out, double back);
+  Real from_sphere(std::size_t x, int i);
+  void add_load(const Cut &cut, int i, Real out, Real back);
   void press_apart();
+  void press_from_face(const Owner &mine, const Direction &outwards);
   void refill(const std::vector<Owner> &before, const std::vector<lbm::Sphere> &spheres_before);
-  double arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before);
+  Real arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before);
 
   // Zou & He 1997: non-equilibrium bounce-back, then the tangential momentum put right by equal and
   // opposite changes. Density and momentum follow from the populations that are known.
@@ -251,14 +254,14 @@ class Solver {
     for (std::size_t x = 0; x < nodes(); x++) {
       const Node p = node(x);
       if (p[d] != (side == 0 ? 0 : n[d] - 1) || solid(x)) continue;
-      double in_plane = 0.0, outgoing = 0.0;
+      Real in_plane = 0.0, outgoing = 0.0;
       for (std::size_t i = 0; i < dirs.size(); i++) {
         const int along = dirs[i].c[d] * inward;
         if (along == 0) in_plane += at(f, x, i);
         if (along < 0) outgoing += at(f, x, i);
       }
       // rho = in_plane + outgoing + incoming; rho u_n - F_n / 2 = incoming - outgoing
-      double rho;
+      Real rho;
       Vec j;
       if (face.kind == lbm::FaceKind::PRESSURE) {
         rho = 1.0 + face.drho;
@@ -268,7 +271,7 @@ class Solver {
         rho = (in_plane + 2 * outgoing - 0.5 * force[d] * inward) / (1 - face.u[d] * inward);
         for (int t = 0; t < 3; t++) j[t] = rho * face.u[t] - 0.5 * force[t];
       }
-      std::vector<double> node_f(&at(f, x, 0), &at(f, x, 0) + dirs.size());
+      std::vector<Real> node_f(&at(f, x, 0), &at(f, x, 0) + dirs.size());
       Vec momentum{}, share{};
       for (std::size_t i = 0; i < dirs.size(); i++)
         if (dirs[i].c[d] == inward)

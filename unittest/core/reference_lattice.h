@@ -10,12 +10,15 @@
 
 namespace reference {
 
+// Populations are whole, not deviations from rest: with the digits to spare, both solvers round a
+// density excess to single precision alike.
+using Real = long double;
 using Node = std::array<int, 3>;
-using Vec = std::array<double, 3>;
+using Vec = std::array<Real, 3>;
 
 struct Direction {
   Node c;
-  double w;
+  Real w;
   int opposite;
 };
 
@@ -28,21 +31,26 @@ inline std::vector<Direction> directions(int dimension)
     for (int y = -1; y <= 1; y++)
       for (int x = -1; x <= 1; x++) {
         const int square = x * x + y * y + z * z;
-        const double w3[] = {1. / 3, 1. / 18, 1. / 36}, w2[] = {4. / 9, 1. / 9, 1. / 36};
+        const Real w3[] = {1.L / 3, 1.L / 18, 1.L / 36}, w2[] = {4.L / 9, 1.L / 9, 1.L / 36};
         if (square < 3) list.push_back({{x, y, z}, dimension == 3 ? w3[square] : w2[square], -1});
       }
   for (std::size_t i = 0; i < list.size(); i++) list[i].opposite = int(list.size() - 1 - i);
   return list;
 }
 
-inline double dot(const Node &a, const Vec &b)
+inline Real dot(const Node &a, const Vec &b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline double dot(const Vec &a, const Vec &b)
+inline Real dot(const Vec &a, const Vec &b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Vec whole(const std::array<double, 3> &a)
+{
+  return {a[0], a[1], a[2]};
 }
 
 inline Vec cross(const Vec &a, const Vec &b)

@@ -15,19 +15,19 @@ inline Solver::Cut Solver::cut(int i, const Owner &inside) const
   const lbm::Sphere &sphere = spheres[inside.sphere];
   Vec arm;
   for (int d = 0; d < 3; d++) arm[d] = inside.arm[d] + dirs[i].c[d];
-  const double a =
-      dot(dirs[i].c, Vec{double(dirs[i].c[0]), double(dirs[i].c[1]), double(dirs[i].c[2])});
-  const double b = dot(dirs[i].c, arm), c = dot(arm, arm) - sphere.radius * sphere.radius;
+  const Real a =
+      dot(dirs[i].c, Vec{Real(dirs[i].c[0]), Real(dirs[i].c[1]), Real(dirs[i].c[2])});
+  const Real b = dot(dirs[i].c, arm), c = dot(arm, arm) - sphere.radius * sphere.radius;
   // (b - sqrt(b b - a c)) / a, without the cancellation
-  const double q = c / (b + std::sqrt(b * b - a * c));
-  return {inside.sphere, std::min(std::max(q, 1e-6), 1.0), arm, {}};
+  const Real q = c / (b + std::sqrt(b * b - a * c));
+  return {inside.sphere, std::min<Real>(std::max<Real>(q, 1e-6), 1.0), arm, {}};
 }
 
 inline void Solver::move_to_wall(Cut &cut, int i) const
 {
   for (int d = 0; d < 3; d++) cut.arm[d] -= cut.q * dirs[i].c[d];
   const lbm::Sphere &sphere = spheres[cut.sphere];
-  cut.u = cross(sphere.spin, cut.arm);
+  cut.u = cross(whole(sphere.spin), cut.arm);
   for (int d = 0; d < 3; d++) cut.u[d] += sphere.velocity[d];
 }
 
@@ -35,9 +35,9 @@ inline Solver::Rule Solver::rule(std::size_t x, int i, const Cut &cut) const
 {
   const int o = dirs[i].opposite;
   // the solver keeps the density excess at single precision
-  const double rho = 1.0 + double(float(density(x) - 1.0));
-  const double m = 3.0 * dirs[i].w * rho * dot(dirs[i].c, cut.u);
-  const double back = at(post, x, o), ahead = at(post, x, i), q = cut.q;
+  const Real rho = 1.0 + Real(float(density(x) - 1.0));
+  const Real m = 3.0 * dirs[i].w * rho * dot(dirs[i].c, cut.u);
+  const Real back = at(post, x, o), ahead = at(post, x, i), q = cut.q;
   switch (settings.link) {
     case lbm::LinkRule::HALFWAY:
       return {back + 2 * m, 0.0};
@@ -45,14 +45,14 @@ inline Solver::Rule Solver::rule(std::size_t x, int i, const Cut &cut) const
       if (q < 0.5) return {2 * q * back + 2 * m, 1 - 2 * q};
       return {back / (2 * q) + (2 * q - 1) / (2 * q) * ahead + m / q, 0.0};
     case lbm::LinkRule::CLI: {
-      const double kappa = (1 - 2 * q) / (1 + 2 * q);
+      const Real kappa = (1 - 2 * q) / (1 + 2 * q);
       return {back - kappa * ahead + 4 * m / (1 + 2 * q), kappa};
     }
   }
   return {};
 }
 
-inline double Solver::from_sphere(std::size_t x, int i)
+inline Real Solver::from_sphere(std::size_t x, int i)
 {
   const int o = dirs[i].opposite;
   Node inside = node(x), behind = node(x);
@@ -62,11 +62,11 @@ inline double Solver::from_sphere(std::size_t x, int i)
   }
   place(inside);
   Cut mine = cut(i, owner[index(inside)]);
-  double value = 0.0;
+  Real value = 0.0;
   const Place there = place(behind);
   if (there == SOLID) {
     Cut other = cut(o, owner[index(behind)]);
-    const double room = mine.q + other.q;
+    const Real room = mine.q + other.q;
     if (room < 0.2) {
       mine.q *= 0.2 / room;
       other.q *= 0.2 / room;
@@ -91,10 +91,10 @@ inline double Solver::from_sphere(std::size_t x, int i)
 }
 
 // Wen et al. 2014, minus the same at the equilibrium with rest density and wall velocity
-inline void Solver::add_load(const Cut &cut, int i, double out, double back)
+inline void Solver::add_load(const Cut &cut, int i, Real out, Real back)
 {
   const int o = dirs[i].opposite;
-  const double eq_out = equilibrium(o, 1.0, cut.u), eq_back = equilibrium(i, 1.0, cut.u);
+  const Real eq_out = equilibrium(o, 1.0, cut.u), eq_back = equilibrium(i, 1.0, cut.u);
   Vec F;
   for (int d = 0; d < 3; d++) {
     F[d] = -dirs[i].c[d] * (out + back) - cut.u[d] * (out - back);
@@ -120,7 +120,9 @@ inline void Solver::press_apart()
     for (std::size_t i = 0; i < dirs.size(); i++) {
       Node there = node(x);
       for (int d = 0; d < 3; d++) there[d] += dirs[i].c[d];
-      if (place(there) != SOLID) continue;
+      const Place what = place(there);
+      if (what == WALL || what == OPEN) press_from_face(mine, dirs[i]);
+      if (what != SOLID) continue;
       const Owner &other = owner[index(there)];
       bool same = mine.sphere == other.sphere;    // and not another image of it
       Vec middle;                                 // of the link, from my centre
@@ -129,7 +131,7 @@ inline void Solver::press_apart()
         middle[d] = mine.arm[d] + 0.5 * dirs[i].c[d];
       }
       if (same) continue;
-      const double drho = 0.5 * (spheres[mine.sphere].drho + spheres[other.sphere].drho);
+      const Real drho = 0.5 * (spheres[mine.sphere].drho + spheres[other.sphere].drho);
       Vec F;
       for (int d = 0; d < 3; d++) F[d] = -dirs[i].w * drho * dirs[i].c[d];
       Vec middle_other;
@@ -145,23 +147,38 @@ inline void Solver::press_apart()
   }
 }
 
+// behind a wall or an open face nothing answers: the whole of it, by the density around the sphere
+inline void Solver::press_from_face(const Owner &mine, const Direction &outwards)
+{
+  Vec F, middle;
+  for (int d = 0; d < 3; d++) {
+    F[d] = -2.0 * outwards.w * spheres[mine.sphere].drho * outwards.c[d];
+    middle[d] = mine.arm[d] + 0.5 * outwards.c[d];
+  }
+  const Vec T = cross(middle, F);
+  for (int d = 0; d < 3; d++) {
+    loads[mine.sphere].force[d] += F[d];
+    loads[mine.sphere].torque[d] += T[d];
+  }
+}
+
 inline void Solver::refill(const std::vector<Owner> &before,
                            const std::vector<lbm::Sphere> &spheres_before)
 {
   const int D = settings.dimension;
-  double mean = 0.0;
+  Real mean = 0.0;
   long count = 0;
   for (std::size_t x = 0; x < nodes(); x++)
     if (before[x].sphere < 0) {
       mean += density(x) - 1.0;
       count++;
     }
-  if (count) mean /= double(count);
+  if (count) mean /= Real(count);
 
   for (std::size_t x = 0; x < nodes(); x++) {
     if (before[x].sphere < 0 || solid(x)) continue;
     const lbm::Sphere &sphere = spheres_before[before[x].sphere];
-    Vec u = cross(sphere.spin, before[x].arm);
+    Vec u = cross(whole(sphere.spin), before[x].arm);
     for (int d = 0; d < 3; d++) u[d] += sphere.velocity[d];
     if (settings.refill == lbm::RefillRule::EQUILIBRIUM) {
       set_equilibrium(x, 1.0 + mean, u);
@@ -169,7 +186,7 @@ inline void Solver::refill(const std::vector<Owner> &before,
       continue;
     }
     // of neighbours that were fluid already: none of those is refilled
-    double rho = 0.0, grad[3][3] = {};
+    Real rho = 0.0, grad[3][3] = {};
     int known = 0;
     for (int b = 0; b < D; b++) {
       Vec v[2] = {u, u};
@@ -191,13 +208,13 @@ inline void Solver::refill(const std::vector<Owner> &before,
     } else {
       rho = 1.0 + arriving_excess(x, u, before);
     }
-    double shear[3][3], trace = 0.0;
+    Real shear[3][3], trace = 0.0;
     for (int a = 0; a < 3; a++)
       for (int b = 0; b < 3; b++) shear[a][b] = -settings.tau / 3.0 * (grad[a][b] + grad[b][a]);
     for (int a = 0; a < 3; a++) trace += shear[a][a];
     set_equilibrium(x, rho, u);
     for (std::size_t i = 0; i < dirs.size(); i++) {
-      double sum = -trace / 3.0;
+      Real sum = -trace / 3.0;
       for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) sum += dirs[i].c[a] * dirs[i].c[b] * shear[a][b];
       at(f, x, i) += 4.5 * dirs[i].w * rho * sum;
@@ -206,9 +223,9 @@ inline void Solver::refill(const std::vector<Owner> &before,
 }
 
 // density excess with which fluid neighbours would have sent what arrives here, to first order
-inline double Solver::arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before)
+inline Real Solver::arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before)
 {
-  double sum = 0.0, weight = 0.0;
+  Real sum = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < dirs.size(); i++) {
     Node from = node(x);
     for (int d = 0; d < 3; d++) from[d] -= dirs[i].c[d];

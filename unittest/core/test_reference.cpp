@@ -37,12 +37,12 @@ void compare(const Case &c)
 {
   scene::Box box(c.settings, c.n, c.force);
   reference::Solver plain(c.settings, c.n);
-  plain.force = c.force;
+  plain.force = reference::whole(c.force);
   for (std::size_t x = 0; x < plain.nodes(); x++) {
     const Int3 p = plain.node(x);
     const Moments m = scene::some_flow(p, c.n, c.settings.dimension);
     box.fluid->set_equilibrium(p[0], p[1], p[2], m);
-    plain.set_equilibrium(x, 1.0 + m.drho, m.u);
+    plain.set_equilibrium(x, reference::Real(1.0) + m.drho, reference::whole(m.u));
   }
   double links = 0.0, gaps = 0.0;
   for (int t = 0; t < c.steps; t++) {

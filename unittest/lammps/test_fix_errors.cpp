@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // What fix lb/ibb refuses and warns of before the first step: the value, the limit and the remedy.
 
 #include "fluid_scenes.h"

@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // What other commands get from fix lb/ibb: thermo, averages, reductions, fields in dumps and files.
 
 #include "fluid_scenes.h"

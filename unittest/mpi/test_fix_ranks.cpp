@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // The fluid and its grains are the same on any brick of ranks: each scene runs on all ranks together,
 // arranged in every way, and once more on every rank alone.
 
@@ -73,7 +71,10 @@ class FluidRanks : public FluidTest {
       MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
       EXPECT_EQ(all, (int) alone.size() - 1);
       for (const auto &[id, values] : together) {
-        ASSERT_EQ(alone.count(id), 1u);
+        if (!alone.count(id)) {    // without leaving the others alone
+          ADD_FAILURE() << "no grain " << id;
+          continue;
+        }
         const auto &expected = alone.at(id);
         for (std::size_t k = 0; k < values.size(); k++) {
           const double size = id > 0 ? scale[k / 3]
@@ -219,32 +220,4 @@ TEST_F(FluidRanks, StopsSayTheSameOnAllRanks)
   snprintf(first, sizeof(first), "%s", message.c_str());
   MPI_Bcast(first, sizeof(first), MPI_CHAR, 0, MPI_COMM_WORLD);
   EXPECT_EQ(message, std::string(first));
-}
-
-TEST_F(FluidRanks, MoreRanksThanNodes)
-{
-  int nprocs;
-  MPI_Comm_size(MPI_COMM_WORLD, &nprocs);
-  if (nprocs < 4) return;
-  EXPECT_ERROR(box({3, 8, 8}, "p p p", "processors 4 1 1") + fluid() + run(0),
-               "4 x 1 x 1 ranks are too many for 3 x 8 x 8 lattice nodes: each needs at least one");
-}
-
-TEST_F(FluidRanks, BalancedBeforeTheFirstRunOnly)
-{
-  int nprocs;
-  MPI_Comm_size(MPI_COMM_WORLD, &nprocs);
-  if (nprocs < 2) return;
-  const std::string cut = "balance 1.0 x " + std::string(nprocs == 2 ? "0.3" : "0.2 0.4 0.6");
-  const std::string scene =
-      box({20, 12, 12}, "p p p", "processors " + std::to_string(nprocs) + " 1 1") +
-      grain(1, {6, 6, 6}, 3.6) + fluid("accel 1e-3 0 0") + frozen();
-  script(scene + "\n" + cut + run(20));
-  const double flux = out(9);
-  EXPECT_EQ(out(12), all_nodes() - covered({6, 6, 6}, 3.6));
-  EXPECT_ERROR("balance 1.0 x " + std::string(nprocs == 2 ? "0.6" : "0.3 0.5 0.7"),
-               "the fluid cannot follow new sub-domains once it has moved");
-  start();
-  script(scene + run(20));
-  EXPECT_NEAR(out(9), flux, 1e-12 * flux);
 }
