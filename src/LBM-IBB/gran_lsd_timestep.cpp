@@ -119,6 +119,7 @@ double GranLSDLightestGrains::shortest_contact(double **kn, double **e, double *
     if (lightest[i] >= BIG) continue;
     for (int j = 1; j <= atom->ntypes; j++) {
       if (lightest[j] >= BIG && !has_frozen[j]) continue;
+      if (kn[i][j] <= 0.0) continue;    // of another style
       const double inv_mj = (lightest[j] < BIG) ? 1.0 / lightest[j] : 0.0;
       const double meff = 1.0 / (1.0 / lightest[i] + inv_mj);
       shortest = MIN(shortest, GranLSD::contact_time({kn[i][j], e[i][j], mu[i][j]}, meff));

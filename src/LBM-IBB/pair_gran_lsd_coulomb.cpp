@@ -24,6 +24,7 @@
 #include "fix.h"
 #include "force.h"
 #include "gran_lsd_grains.h"
+#include "lb_ibb_citation.h"
 #include "math_extra.h"
 #include "memory.h"
 #include "modify.h"
@@ -36,27 +37,13 @@
 
 using namespace LAMMPS_NS;
 
-static const char cite_lsd_coulomb[] =
-    "pair_style gran/lsd/coulomb: https://doi.org/10.1002/nag.2556\n\n"
-    "@Article{Mansouri2017,\n"
-    " author =  {Mansouri, Mouloud and El Youssoufi, Moulay Sa{\\\"i}d and Nicot, Fran{\\c "
-    "c}ois},\n"
-    " title =   {Numerical simulation of the quicksand phenomenon by a {3D} coupled\n"
-    "            {Discrete Element - Lattice Boltzmann} hydromechanical model},\n"
-    " journal = {International Journal for Numerical and Analytical Methods in Geomechanics},\n"
-    " year =    {2017},\n"
-    " volume =  {41},\n"
-    " number =  {3},\n"
-    " pages =   {338--358}\n"
-    "}\n\n";
-
 /* ---------------------------------------------------------------------- */
 
 PairGranLSDCoulomb::PairGranLSDCoulomb(LAMMPS *lmp) :
     PairGranHooke(lmp), offset(0.0), inertia_factor(GranLSD::INERTIA_SPHERE), k_n(nullptr),
     restitution(nullptr), friction(nullptr), law(nullptr), t_contact(0.0), lightest(lmp)
 {
-  if (lmp->citeme) lmp->citeme->add(cite_lsd_coulomb);
+  if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
 
   // what the parent reads from its own pair_style line and is not used here
 

@@ -26,6 +26,7 @@
 #include "gran_lsd_material.h"
 #include "memory.h"
 
+#include <algorithm>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -42,6 +43,7 @@ void PairGranLSDCoulomb::allocate()
   memory->create(restitution, n, n, "pair:restitution");
   memory->create(friction, n, n, "pair:friction");
   memory->create(law, n, n, "pair:law");
+  std::fill_n(k_n[0], n * n, 0.0);    // 0 = not a pair of this style
 }
 
 /* ----------------------------------------------------------------------

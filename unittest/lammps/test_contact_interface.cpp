@@ -102,6 +102,13 @@ TEST_F(ContactTest, WorksInsideHybrid)
          "\ntimestep 1e-7\nrun 0 post no");
   EXPECT_NEAR(f(2)[0], 1.0e-3, 1.0e-9);
   EXPECT_ERROR("timestep 1e-4\nrun 0", "Timestep 0.0001 is more than a tenth");
+  // pairs of another style do not count, whatever the memory of our coefficients holds
+  start();
+  EXPECT_EQ(error_of(box() + grain(1, 0, 0, 0, r) + grain(2, 2.0 * r - 1.0e-6, 0, 0, r) +
+                     "\nset atom 2 type 2\npair_style hybrid gran/lsd/coulomb zero 1e-3"
+                     "\npair_coeff 1 1 gran/lsd/coulomb 1000 0.9 0.45\npair_coeff * 2 zero"
+                     "\ntimestep 1e-7\nrun 0 post no"),
+            "");
 }
 
 TEST_F(ContactTest, RestartContinuesTheRun)

@@ -158,6 +158,18 @@ TEST_F(FluidRanks, FreeGrainsThatCollide)
   });
 }
 
+// LAMMPS sizes its buffers for ghosts' forces by newton on: the bed lies on the lowest rank alone, so
+// that one sends more than it gets
+TEST_F(FluidRanks, NewtonOff)
+{
+  compare([&](const std::string &brick) {
+    return box({60, 60, 24}, "f f f", brick + "\nnewton off") + heap({10, 10, 2}, 0.0) +
+        fluid("accel 1e-3 0 0 face xlo wall face xhi wall face ylo wall face yhi wall face zlo wall "
+              "face zhi wall") +
+        frozen() + run(3);
+  });
+}
+
 // one grain that reaches over all sub-domains, and ranks that own none
 TEST_F(FluidRanks, GrainLargerThanASubdomain)
 {
