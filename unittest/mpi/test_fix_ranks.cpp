@@ -163,7 +163,7 @@ TEST_F(FluidRanks, FreeGrainsThatCollide)
 TEST_F(FluidRanks, NewtonOff)
 {
   compare([&](const std::string &brick) {
-    return box({60, 60, 24}, "f f f", brick + "\nnewton off") + heap({10, 10, 2}, 0.0) +
+    return box({90, 90, 12}, "f f f", brick + "\nnewton off") + heap({15, 15, 1}, 0.0) +
         fluid("accel 1e-3 0 0 face xlo wall face xhi wall face ylo wall face yhi wall face zlo wall "
               "face zhi wall") +
         frozen() + run(3);
