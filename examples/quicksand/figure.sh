@@ -20,7 +20,7 @@ deposit() {
 }
 
 if [ "$1" = quick ]; then
-  water rate-0.50 -var start 0.9 -var rate 0.5 -var snapshots 0.05
+  water rate-0.50 -var start 0.9 -var rate 0.5 -var snapshots 0.05 -var after 0.1
 else
   seed=0
   for friction in 0.00 0.05 0.10 0.15 0.20 0.25 0.30 0.35 0.40 0.45; do
