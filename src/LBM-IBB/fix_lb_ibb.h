@@ -110,6 +110,10 @@ class FixLbIbb : public Fix {
   void check_scene();
   void check_offset();
   void check_order_of_fixes();
+  // of two dimensions, in fix_lb_ibb_discs.cpp
+  void check_discs();
+  void check_disc_masses();
+  bool warned_of_masses;
   void find_variables();
   void review_setup();
   void provide_ghosts();
