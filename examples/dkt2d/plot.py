@@ -37,7 +37,11 @@ def read_grid(name):
     data = data[np.argsort(data[:, 0])]    # every rank writes its own block
     u, v, solid = (c.reshape(ny, nx) for c in data.T[1:4])
     dx = L[0] / nx
-    return time, np.ma.array(np.gradient(v, dx, axis=1) - np.gradient(u, dx, axis=0), mask=solid > 0)
+    hide = solid > 0    # and the nodes whose differences reach into a disc
+    for axis in 0, 1:
+        for step in 1, -1:
+            hide = hide | (np.roll(solid, step, axis) > 0)
+    return time, np.ma.array(np.gradient(v, dx, axis=1) - np.gradient(u, dx, axis=0), mask=hide)
 
 
 def draw_discs(name):
@@ -84,14 +88,15 @@ def draw_discs(name):
 def draw_curves(names):
     figure, axes = plt.subplots(3, 1, figsize=(8, 10), sharex=True, layout="constrained")
     for k, name in enumerate(names):
-        (t, *_, ), _ = read(name)
         table, _ = read(name)
+        t = table[0]
         colour = f"C{k}"
         axes[0].plot(t, table[4], color=colour, label=NAMES[name])
         axes[0].plot(t, table[9], "--", color=colour)
         axes[1].plot(t, table[11], color=colour)
         axes[2].plot(t, table[5], color=colour)
         axes[2].plot(t, table[10], "--", color=colour)
+    label = "reference, 3 %"
     known = [line.split() for line in open("reference.dat") if not line.startswith("#")]
     for what, time, low, high in known:
         low, high = float(low), float(high)
@@ -99,8 +104,8 @@ def draw_curves(names):
             middle = 0.5 * (low + high)
             axes[0].errorbar(float(time), middle, yerr=0.03 * abs(middle), color="black", capsize=4,
                              marker="o", ms=4, zorder=5,
-                             label=None if axes[0].get_legend_handles_labels()[1][-1] == "reference, 3 %"
-                             else "reference, 3 %")
+                             label=label)
+            label = None
         elif what.endswith("_s"):
             axes[1].axvspan(low, high, color="0.85", zorder=0)
             axes[1].text(0.5 * (low + high), 3.1, what[:-2].replace("_", " "), ha="center", va="top",

@@ -114,6 +114,7 @@ class FixLbIbb : public Fix {
   void check_discs();
   void check_disc_masses();
   bool warned_of_masses;
+  bigint atoms_checked;    // how many there were then
   void find_variables();
   void review_setup();
   void provide_ghosts();

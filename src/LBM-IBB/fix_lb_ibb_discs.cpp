@@ -57,10 +57,11 @@ bool is_free(int mask, const std::vector<Fix *> &fixes)
 
 }    // namespace
 
-// At the start of a run and, for grains that came later, with every look at the fluid: an inertia of
-// spheres is refused, masses that look like those of spheres are warned of once a run. Collective.
+// At the start of a run and when grains have come: an inertia of spheres is refused, masses that look
+// like those of spheres are warned of once a run. Collective.
 void FixLbIbb::check_discs()
 {
+  atoms_checked = atom->natoms;
   if (domain->dimension != 2 || !atom->rmass_flag || !atom->radius_flag) return;
   const auto &fixes = modify->get_fix_list();
   for (auto *other : fixes) {

@@ -35,7 +35,6 @@ void FixLbIbb::take_survey()
   if (survey_step == fluid_steps) return;
   survey = fluid->survey();
   check_stability();
-  check_discs();
   survey_step = fluid_steps;
 }
 
