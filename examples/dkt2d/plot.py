@@ -44,41 +44,43 @@ def read_grid(name):
     return time, np.ma.array(np.gradient(v, dx, axis=1) - np.gradient(u, dx, axis=0), mask=hide)
 
 
+def show(axis, field, discs, width):
+    """discs (x, y, angle) over the vorticity, whose image is returned"""
+    image = None
+    if field is not None:
+        image = axis.imshow(field, origin="lower", extent=[0, L[0], 0, L[1]], cmap="coolwarm",
+                            vmin=-15, vmax=15)
+    for (x, y, turn), colour in zip(discs, ("black", "tab:green")):
+        axis.add_patch(plt.Circle((x, y), R, facecolor="white", edgecolor=colour, lw=width))
+        dx, dy = R * np.cos(turn), R * np.sin(turn)
+        axis.plot([x - dx, x + dx], [y - dy, y + dy], color=colour, lw=width)
+    return image
+
+
 def draw_discs(name):
     (t, x1, y1, _, _, _, x2, y2, *_), angle = read(name)
     grids = sorted((read_grid(f) for f in glob.glob(name + "-*.grid")), key=lambda g: g[0])
     fields = {round(g[0], 2): g[1] for g in grids}
     times = [s for s in np.arange(0.0, 4.01, 0.5) if s <= t[-1] + 0.01]
+    image = None
     figure, axes = plt.subplots(1, len(times), figsize=(1.75 * len(times) + 0.8, 7.2), sharey=True,
                                 layout="constrained")
     for axis, time in zip(axes, times):
         field = next((f for s, f in fields.items() if abs(s - time) < 0.01), None)
-        if field is not None:
-            image = axis.imshow(field, origin="lower", extent=[0, L[0], 0, L[1]], cmap="coolwarm",
-                                vmin=-15, vmax=15)
-        for x, y, turn, colour in ((x1, y1, angle[0], "black"), (x2, y2, angle[1], "tab:green")):
-            cx, cy, a = (np.interp(time, t, c) for c in (x, y, turn))
-            axis.add_patch(plt.Circle((cx, cy), R, facecolor="white", edgecolor=colour, lw=1.2))
-            axis.plot([cx - R * np.cos(a), cx + R * np.cos(a)],
-                      [cy - R * np.sin(a), cy + R * np.sin(a)], color=colour, lw=1.2)
-        # the pair again, four times larger
-        inset = axis.inset_axes([0.04, 0.02 if time < 2.2 else 0.74, 0.92, 0.24])
+        discs = [[np.interp(time, t, c) for c in disc]
+                 for disc in ((x1, y1, angle[0]), (x2, y2, angle[1]))]
+        image = show(axis, field, discs, 1.2) or image
+        # the pair again, enlarged, as long as it is one
         cx, cy = (np.interp(time, t, 0.5 * (a + b)) for a, b in ((x1, x2), (y1, y2)))
-        if field is not None:
-            inset.imshow(field, origin="lower", extent=[0, L[0], 0, L[1]], cmap="coolwarm",
-                         vmin=-15, vmax=15)
-        for x, y, turn, colour in ((x1, y1, angle[0], "black"), (x2, y2, angle[1], "tab:green")):
-            px, py, a = (np.interp(time, t, c) for c in (x, y, turn))
-            inset.add_patch(plt.Circle((px, py), R, facecolor="white", edgecolor=colour, lw=1.5))
-            inset.plot([px - R * np.cos(a), px + R * np.cos(a)],
-                       [py - R * np.sin(a), py + R * np.sin(a)], color=colour, lw=1.5)
-        half = 0.35
-        inset.set(xlim=(cx - half, cx + half), ylim=(cy - half, cy + half), xticks=[], yticks=[],
-                  aspect="equal")
+        if np.interp(time, t, np.hypot(x1 - x2, y1 - y2)) < 6 * R:
+            inset = axis.inset_axes([0.04, 0.02 if time < 2.2 else 0.74, 0.92, 0.24])
+            show(inset, field, discs, 1.5)
+            inset.set(xlim=(cx - 0.35, cx + 0.35), ylim=(cy - 0.35, cy + 0.35), xticks=[], yticks=[],
+                      aspect="equal")
         axis.set(xlim=(0, L[0]), ylim=(0, L[1]), aspect="equal", title=f"{time:.1f} s",
                  xlabel="x (cm)")
     axes[0].set_ylabel("y (cm)")
-    if fields:
+    if image:
         figure.colorbar(image, ax=axes, shrink=0.5, label="vorticity (1/s)")
     figure.suptitle(f"Black: the disc that trails at first. Insets: the pair, enlarged. {NAMES[name]}")
     figure.savefig("dkt2d-discs.png", dpi=110)
