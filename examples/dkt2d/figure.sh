@@ -10,7 +10,7 @@ run() {    # run NAME option...
 }
 case ${1:-} in
   quick)
-    run coarse -var dx 0.02 -var tau 0.54 -var last 3.0 -var fields yes
+    run coarse -var dx 0.02 -var tau 0.54 -var last 3.4 -var fields yes
     run paper -var tau 0.75 -var scheme paper -var last 2.6 ;;
   full)
     run dkt2d -var fields yes
