@@ -82,8 +82,11 @@ TEST_F(Discs, GrainsThatCome)
     return text.replace(text.find("DISC"), 4, word);
   };
   EXPECT_ERROR(edited("") + run(100), "turns grain 1 with the inertia of a sphere");
-  // fix pour gives discs the mass of spheres
-  EXPECT_IN(log_of(edited("disc") + run(20)), "WARNING: Fix lb/ibb: grain");
+  // fix pour gives discs the mass of spheres, 4/3 r times what it should be
+  EXPECT_IN(log_of(edited("disc") + run(2)), "WARNING: Fix lb/ibb: grain 1 has the density 1.248");
+  std::string text = edited("disc");
+  text.replace(text.find("dens 2600 2600"), 14, "dens 5.41667e6 5.41667e6");
+  EXPECT_NOT_IN(log_of(text + run(20)), "Fix lb/ibb: grain");
 }
 
 /* ---- mass ---- */
