@@ -38,8 +38,9 @@ using lbm::Vec3;
 // ---------------------------------------------------------------------- birth and death
 
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid_steps(0), first_step(-1), last_step(-1), history(nullptr), ghosted(nullptr),
-    nghosted(0), survey_step(-1), fastest{}, drive{}, buoyancy_before{}
+    Fix(lmp, narg, arg), fluid_steps(0), first_step(-1), last_step(-1), history(nullptr),
+    ghosted(nullptr), nghosted(0), survey_step(-1), fastest{}, warned_of_masses(false),
+    atoms_checked(0), drive{}, buoyancy_before{}
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)
@@ -137,6 +138,7 @@ void FixLbIbb::end_of_step()
   drive = evaluate_all();
   check_faces();
   drive_fluid(drive);
+  if (atom->natoms != atoms_checked) check_discs();
   place_grains();
   const double placed = platform::walltime();
   fluid->follow(spheres);

@@ -110,6 +110,11 @@ class FixLbIbb : public Fix {
   void check_scene();
   void check_offset();
   void check_order_of_fixes();
+  // of two dimensions, in fix_lb_ibb_discs.cpp
+  void check_discs();
+  void check_disc_masses();
+  bool warned_of_masses;
+  bigint atoms_checked;    // how many there were then
   void find_variables();
   void review_setup();
   void provide_ghosts();

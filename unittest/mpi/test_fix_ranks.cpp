@@ -188,6 +188,68 @@ TEST_F(FluidRanks, TwoDimensions)
   });
 }
 
+// discs through all faces of sub-domains, with contacts, open faces and the rules of the article
+TEST_F(FluidRanks, DiscsThatCollide)
+{
+  compare([&](const std::string &brick) {
+    std::string text = box({18, 24, 1}, "p f p", brick);
+    int id = 0;
+    for (int j = 0; j < 3; j++)
+      for (int i = 0; i < 3; i++)
+        text += disc(++id, {6.0 * i + 3.1 + 0.3 * j, 6.0 * j + 5.2, 0}, 2.6 + 0.1 * i,
+                     {4e-3 * (1 - i), 3e-3 * (j - 1), 0});
+    return text + "\ntimestep " + num(DT / 20) +
+        "\npair_style gran/lsd/coulomb\npair_coeff * * 500 0.8 0.4"
+        "\nfix floor all wall/gran/lsd/coulomb 500 0.8 0.4 yplane 2e-4 2.2e-3"
+        "\nfix m all nve/sphere disc\nfix g all gravity 1 vector 0 -1 0"
+        "\nneigh_modify delay 0 every 1 check yes" +
+        fluid("every 20 buoyancy 0 -1 0 gradp 0.1 0 0 collision bgk link bouzidi refill "
+              "equilibrium "
+              "face ylo velocity 0 1e-4 0 face yhi pressure 0") +
+        "\nfix flat all enforce2d" + run(1600);
+  });
+}
+
+// per-grid data of all ranks together are those of one
+TEST_F(FluidRanks, FieldsInTwoDimensions)
+{
+  std::map<std::string, std::vector<double>> rows;
+  int me;
+  MPI_Comm_rank(MPI_COMM_WORLD, &me);
+  auto fields = [&](MPI_Comm comm, const std::string &brick, const std::string &name) {
+    start(comm);
+    script(box({20, 16, 1}, "p f p", brick) + disc(1, {19.3, 6.1, 0}, 3.3) +
+           fluid("accel 2e-3 0 0 face ylo wall face yhi wall") + frozen() +
+           "\ncompute cell all property/grid 20 16 1 id\ndump g all grid 10 " + name +
+           " c_cell:grid:data f_w:grid:velocity[1] f_w:grid:velocity[2] f_w:grid:pressure "
+           "f_w:grid:solid\ndump_modify g format float %.17g first no" +
+           run(10) + "\nundump g");
+    MPI_Barrier(comm);
+    std::map<int, std::vector<double>> node;
+    std::ifstream file(name);
+    std::string line;
+    while (std::getline(file, line) && line.find("GRID CELLS") == std::string::npos) {}
+    for (double id, u, v, p, s; file >> id >> u >> v >> p >> s;) node[(int) id] = {u, v, p, s};
+    return node;
+  };
+  const std::string own = "alone" + std::to_string(me) + ".grid";
+  const auto alone = fields(MPI_COMM_SELF, "", own);
+  std::remove(own.c_str());
+  ASSERT_EQ(alone.size(), 320u);
+  for (const std::string &brick : bricks()) {
+    if (brick.back() != '1') continue;
+    SCOPED_TRACE(brick);
+    const auto together = fields(MPI_COMM_WORLD, "processors " + brick, "together.grid");
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (me == 0) std::remove("together.grid");
+    ASSERT_EQ(together.size(), alone.size());
+    const double scale[] = {1e-5, 1e-5, RHO * SOUND * SOUND * 1e-3, 1.0};
+    for (const auto &[id, values] : alone)
+      for (int k = 0; k < 4; k++)
+        ASSERT_NEAR(together.at(id)[k], values[k], 1e-12 * scale[k]) << id << " " << k;
+  }
+}
+
 TEST_F(FluidRanks, NoGrains)
 {
   compare([&](const std::string &brick) {
