@@ -79,7 +79,10 @@ for uri in $(archives); do
   done
 done
 [ -s "$work/$archive" ] || die "LAMMPS $version is not to be had from Debian's archive"
-sha256sum --check --quiet - <<< "$sha256  $work/$archive" >&2 || die "wrong checksum of $archive"
+sha256sum --check --quiet - <<< "$sha256  $work/$archive" >&2 || {
+  say "wrong checksum of $archive"
+  exit 3    # not the same as not to be had
+}
 
 say "unpacking LAMMPS $version"
 mkdir "$work/tree"

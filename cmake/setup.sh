@@ -4,6 +4,7 @@
 #
 # Environment, all optional:
 #   LAMMPS_DIR             LAMMPS source tree of yours to build with
+#   LBMIBB_LAMMPS_URL      archive of LAMMPS's sources to build with; file:// works
 #   LBMIBB_CACHE           folder of downloads and builds (default: ~/.cache/lbm-ibb)
 #   LBMIBB_CMAKE_OPTIONS   options for cmake, e.g. "-D LBMIBB_ARCH=none -D PKG_VTK=ON"
 #   LBMIBB_NO_INSTALL=1    take the machine as it is: look for no packages, install none
@@ -74,9 +75,10 @@ missing_headers() {
   done | "${CXX:-c++}" -std=c++17 -E -P -x c++ - | sed -n 's/^missing //p'
 }
 
-# install PACKAGE...   false when we may not
+# install PACKAGE...   false when we may not, or it does not work
 install_packages() {
   local as_root=()
+  [ $# != 0 ] || return 0
   have apt-get || return 1
   if [ "$(id -u)" != 0 ]; then
     { have sudo && sudo -n true 2>/dev/null; } || return 1
@@ -87,7 +89,10 @@ install_packages() {
     "${as_root[@]}" apt-get -q update || true    # an unreachable extra source is no obstacle
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
       apt-get -q install -y --no-install-recommends "$@"
-  } >&2 </dev/null || die "apt-get could not install: $*"
+  } >&2 </dev/null || {
+    say "apt-get could not install: $*"
+    return 1
+  }
 }
 
 # installed PACKAGE   as far as Debian's package manager knows, if there is one
@@ -109,7 +114,7 @@ prepare_machine() {
   done
   if [ $((${#required[@]} + ${#optional[@]})) = 0 ]; then return; fi
   if install_packages "${required[@]}" "${optional[@]}"; then return; fi
-  if [ ${#required[@]} != 0 ]; then
+  if [ ${#required[@]} != 0 ] && ! install_packages "${required[@]}"; then
     die "these are missing, and cannot be installed from here (that takes apt, and root or" \
       "passwordless sudo). Install them, or what your system calls them:" \
       $'\n\n   sudo apt-get install' "${required[@]}" "${optional[@]}" \
@@ -125,7 +130,7 @@ prepare_machine() {
 build_folder() {
   local key
   key=$({
-    echo "$root:${LAMMPS_DIR:-}:${LBMIBB_CMAKE_OPTIONS:-}"
+    echo "$root:${LAMMPS_DIR:-}:${LBMIBB_LAMMPS_URL:-}:${LBMIBB_CMAKE_OPTIONS:-}"
     "${CXX:-c++}" -march=native -x c++ -E -v - 2>&1 </dev/null || true
   } | sha256sum)
   echo "$(cache_folder)/build/$(basename "$root")-${key:0:10}"

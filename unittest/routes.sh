@@ -54,13 +54,21 @@ case $route in
     lmp=$folder/lammps/src/lmp_mpi
     # and out again, leaving nothing
     make no-lbm-ibb
-    if grep -i lbm Makefile.package Makefile.package.settings || ls lbm_* 2>/dev/null; then
+    if grep -i lbm Makefile.package Makefile.package.settings; then
       die "make no-lbm-ibb left something behind"
-    fi ;;
+    fi
+    for file in LBM-IBB/*.cpp LBM-IBB/*.h; do
+      [ ! -e "$(basename "$file")" ] || die "make no-lbm-ibb left $(basename "$file") behind"
+    done ;;
 esac
 
 run_environment
 "$lmp" -h > "$folder/help"
-grep -qw gran/lsd/coulomb "$folder/help" || die "$lmp does not know pair style gran/lsd/coulomb"
+for style in lb/ibb gran/lsd/coulomb wall/gran/lsd/coulomb; do
+  grep -qw "$style" "$folder/help" || die "$lmp does not know $style"
+done
+[ "$route" = make ] || grep -qw LBM-IBB "$folder/help" || die "$lmp does not list package LBM-IBB"
+"$lmp" -in "$root/bench/in.fluid" -log none -var n 16 -var steps 4 > "$folder/steps" ||
+  die "$lmp cannot make a fluid step"
 echo "$route: $lmp knows the package's styles"
 rm -rf "$folder"

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Pictures of a quicksand run: python3 plot.py NAME
+"""Pictures of a quicksand run: python3 plot.py NAME, or of all runs of figure.sh: python3 plot.py quick|full
 
 Reads NAME.dat, NAME-grains-{before,after}.png and NAME-water-{before,after}.grid as in.quicksand
 writes them. Makes NAME-{before,after}.png, grains with a vertical slice of the water beside them,
-and NAME.png, the rise of the bed against the gradient.
+and NAME.png, the rise of the bed against the gradient. Of figure.sh: snapshots.png, onset.png.
 """
+import glob
 import sys
 import numpy as np
 import matplotlib
@@ -65,8 +66,54 @@ def curve(name):
     figure.savefig(f"{name}.png", dpi=110)
 
 
+def snapshots():
+    """the last run that made pictures: at rest, and in five moments up to the end (figure 12)"""
+    names = sorted(glob.glob("*-snapshot-*.png"))
+    run = names[-1].split("-snapshot-")[0]
+    names = [name for name in names if name.startswith(run + "-snapshot-")]
+    chosen = [names[round(k * (len(names) - 1) / 5)] for k in range(6)]
+    figure, axes = plt.subplots(1, 6, figsize=(13, 4.6))
+    for axis, name in zip(axes, chosen):
+        axis.imshow(plt.imread(name))
+        step = int(name.split("-")[-1].split(".")[0])
+        axis.set_title(f"{1.2e-6 * step:.2f} s")
+        axis.axis("off")
+    figure.suptitle(f"{run}: grains by speed, blue 0, yellow 1, red 2 cm/s")
+    figure.tight_layout()
+    figure.savefig("snapshots.png", dpi=110)
+
+
+def onset():
+    with open("onset.dat") as file:
+        rows = [line.split() for line in file if not line.startswith("#")]
+    figure, axis = plt.subplots(figsize=(6.5, 4.2))
+    for kind, mark, label in (("bed", "o", "100 grains"), ("wide", "s", "400 grains"),
+                              ("rate", "^", "shipped bed, ramp rate in 1/s")):
+        mine = [row for row in rows if row[0].startswith(kind)]
+        if not mine:
+            continue
+        x, y = [float(row[2]) for row in mine], [float(row[1]) for row in mine]
+        axis.plot(x, y, mark, label=label)
+        if kind == "rate":
+            for row, a, b in zip(mine, x, y):
+                axis.annotate(row[0].split("-")[1], (a, b), textcoords="offset points", xytext=(6, 3))
+    axis.axhline(1.0, color="0.6", lw=0.8)
+    axis.axhline(0.92, color="0.6", lw=0.8, ls=":", label="article, one bed of unnamed porosity")
+    axis.set_xlabel("porosity of the bed in steady seepage")
+    axis.set_ylabel("onset $i/i_c$")
+    axis.legend()
+    figure.tight_layout()
+    figure.savefig("onset.png", dpi=110)
+
+
 if __name__ == "__main__":
     name = sys.argv[1] if len(sys.argv) > 1 else "quicksand"
-    curve(name)
-    for when in "before", "after":
-        draw(name, when)
+    if name in ("quick", "full"):
+        snapshots()
+        onset()
+        with open("figures.txt", "w") as file:
+            print("snapshots.png onset.png", file=file)
+    else:
+        curve(name)
+        for when in "before", "after":
+            draw(name, when)

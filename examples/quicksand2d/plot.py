@@ -82,7 +82,7 @@ def draw_profiles(name):
     dt = timestep(name)
     s = tables.series(name)
     end = s[-1][1]
-    times = [0.1]
+    times = [min(0.1, (tables.when(s, 3, 0.05) or 1.0) - 0.02)]
     for rise in 0.05, 0.2, 0.6, 1.5:    # mean diameters
         t = tables.when(s, 3, rise)
         if t and times[-1] + 0.02 < t < end - 0.02:

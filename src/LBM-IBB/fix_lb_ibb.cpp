@@ -20,6 +20,7 @@
 #include "domain.h"
 #include "error.h"
 #include "input.h"
+#include "lb_ibb_citation.h"
 #include "memory.h"
 #include "modify.h"
 #include "output.h"
@@ -34,27 +35,14 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using lbm::Vec3;
 
-static const char cite_fix_lb_ibb[] =
-    "fix lb/ibb command: https://doi.org/10.1002/nag.2556\n\n"
-    "@Article{Mansouri2016,\n"
-    " author = {M. Mansouri and M. S. {El Youssoufi} and F. Nicot},\n"
-    " title = {Numerical simulation of the quicksand phenomenon by a {3D} coupled discrete element "
-    "-\n"
-    "          lattice {Boltzmann} hydromechanical model},\n"
-    " journal = {International Journal for Numerical and Analytical Methods in Geomechanics},\n"
-    " year = 2017,\n"
-    " volume = 41,\n"
-    " pages = {338--358}\n"
-    "}\n\n";
-
 // ---------------------------------------------------------------------- birth and death
 
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid_steps(0), steps_at_run_start(0), first_step(-1), last_step(-1),
-    wall_start(0.0), fluid_time(0.0), grain_time(0.0), history(nullptr), ghosted(nullptr),
-    nghosted(0), survey_step(-1), fastest{}, drive{}, buoyancy_before{}
+    Fix(lmp, narg, arg), fluid_steps(0), first_step(-1), last_step(-1), history(nullptr),
+    ghosted(nullptr), nghosted(0), survey_step(-1), fastest{}, warned_of_masses(false),
+    atoms_checked(0), drive{}, buoyancy_before{}
 {
-  if (lmp->citeme) lmp->citeme->add(cite_fix_lb_ibb);
+  if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)
     error->all(FLERR, "Fix lb/ibb: the simulation box must be defined before the fix");
   if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
@@ -107,9 +95,7 @@ void FixLbIbb::setup(int)
 {
   review_setup();
   survey_step = -1;    // forces may have changed, and the velocity has half of one in it
-  steps_at_run_start = fluid_steps;
-  wall_start = platform::walltime();
-  fluid_time = grain_time = 0.0;
+  start_clock();
   // The velocities are to be integrated with the forces that were there when the last run ended:
   // if it ended with a fluid step, those of before.
   if (update->ntimestep == last_step)
@@ -147,10 +133,12 @@ void FixLbIbb::add_forces(double **held, const Vec3 &gravity)
 void FixLbIbb::end_of_step()
 {
   const double start = platform::walltime();
+  if (!clock.running) start_clock();
   buoyancy_before = drive.buoyancy;
   drive = evaluate_all();
   check_faces();
   drive_fluid(drive);
+  if (atom->natoms != atoms_checked) check_discs();
   place_grains();
   const double placed = platform::walltime();
   fluid->follow(spheres);
@@ -159,8 +147,8 @@ void FixLbIbb::end_of_step()
   give_forces();
   fluid_steps++;
   last_step = update->ntimestep;
-  fluid_time += advanced - placed;
-  grain_time += placed - start + platform::walltime() - advanced;
+  clock.fluid += advanced - placed;
+  clock.grains += placed - start + platform::walltime() - advanced;
   survey_step = -1;
   const bool output_follows = output->next < update->ntimestep + nevery;
   if (fluid_steps % options.check == 0 || output_follows) take_survey();

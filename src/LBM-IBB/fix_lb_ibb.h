@@ -60,6 +60,7 @@ class FixLbIbb : public Fix {
   int unpack_exchange(int, double *) override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
+  int pack_reverse_comm_size(int, int) override;
   int pack_reverse_comm(int, int, double *) override;
   void unpack_reverse_comm(int, int *, double *) override;
 
@@ -81,10 +82,18 @@ class FixLbIbb : public Fix {
   std::unique_ptr<class LBFields> fields;    // also decides which nodes are this rank's
   std::unique_ptr<lbm::MpiNeighbours> neighbours;
   std::unique_ptr<lbm::Fluid> fluid;
-  bigint fluid_steps, steps_at_run_start, first_step, last_step;
+  bigint fluid_steps, first_step, last_step;
   // from then on the fluid is not made anew
   bool has_started() const;
-  double wall_start, fluid_time, grain_time;    // seconds of wall time, the latter two in this run
+  // a run is timed from its set-up, or from its first fluid step if there is none (run pre no)
+  struct Clock {
+    bool running = false;
+    bigint first = 0;                                  // fluid_steps at its start
+    double start = 0.0, loop = 0.0;                    // wall time; of the whole loop once it is over
+    double fluid = 0.0, grains = 0.0;
+  } clock;
+  void start_clock();
+  double speed() const;    // million nodes a second
 
   // columns of array_atom, which is for all to see, and of history: force and torque before the last
   // fluid step, those of that step alone, where the grain was then, fluid steps it has seen, and the
@@ -112,6 +121,11 @@ class FixLbIbb : public Fix {
   void check_scene();
   void check_offset();
   void check_order_of_fixes();
+  // of two dimensions, in fix_lb_ibb_discs.cpp
+  void check_discs();
+  void check_disc_masses();
+  bool warned_of_masses;
+  bigint atoms_checked;    // how many there were then
   void find_variables();
   void review_setup();
   void provide_ghosts();

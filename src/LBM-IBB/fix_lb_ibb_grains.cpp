@@ -19,6 +19,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "force.h"
 #include "memory.h"
 #include "update.h"
 
@@ -128,7 +129,11 @@ void FixLbIbb::give_forces()
     g[6] += loads[s].pressing;
     g[7] += loads[s].area;
   }
-  comm->reverse_comm(this);
+  // with newton off LAMMPS has no buffers for it but those it makes on the spot
+  if (force->newton)
+    comm->reverse_comm(this);
+  else
+    comm->reverse_comm_variable(this);
 
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) {
@@ -199,6 +204,11 @@ void FixLbIbb::unpack_forward_comm(int n, int first, double *buf)
   int m = 0;
   for (int i = first; i < first + n; i++)
     for (int k = 0; k < OUT; k++) ghosted[i][k] = buf[m++];
+}
+
+int FixLbIbb::pack_reverse_comm_size(int n, int)
+{
+  return n * BACK;
 }
 
 int FixLbIbb::pack_reverse_comm(int n, int first, double *buf)

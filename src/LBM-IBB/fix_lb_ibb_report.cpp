@@ -76,21 +76,36 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
   has(force, "body force");
   has(options.has_buoyancy, "buoyancy");
   has(comm->nprocs > 1, "messages between ranks");
-  text +=
-      fmt::format("  memory {:.4g} MiB on the fullest rank; left out: {}fields until asked for\n",
-                  most / 1048576.0, absent);
+  text += fmt::format(
+      "  memory {:.4g} MiB on the fullest rank{}; left out: {}fields until asked for\n",
+      most / 1048576.0, grains && !has_started() ? " without grains" : "", absent);
   if (comm->me == 0) utils::logmesg(lmp, text);
+}
+
+void FixLbIbb::start_clock()
+{
+  clock = {true, fluid_steps, platform::walltime()};
+}
+
+double FixLbIbb::speed() const
+{
+  const double seconds = clock.running ? platform::walltime() - clock.start : clock.loop;
+  const double updates =
+      double(fluid_steps - clock.first) * nodes[0] * double(nodes[1]) * nodes[2];
+  return seconds > 0.0 ? updates / seconds * 1e-6 : 0.0;
 }
 
 // LAMMPS's own timers know no fluid: it is part of "Modify" there
 void FixLbIbb::post_run()
 {
-  const double run = platform::walltime() - wall_start;
-  const auto steps = double(fluid_steps - steps_at_run_start);
+  if (!clock.running) return;
+  clock.running = false;
+  clock.loop = platform::walltime() - clock.start;
+  const auto steps = double(fluid_steps - clock.first);
   if (steps < 1.0) return;
-  double mine[2] = {fluid_time, grain_time}, most[2];
-  MPI_Allreduce(mine, most, 2, MPI_DOUBLE, MPI_MAX, world);
-  const double links = compute_vector(12), all = double(nodes[0]) * nodes[1] * nodes[2];
+  double mine[3] = {clock.fluid, clock.grains, fluid->bytes()}, most[3];
+  MPI_Allreduce(mine, most, 3, MPI_DOUBLE, MPI_MAX, world);
+  const double links = compute_vector(12);
   const lbm::RefillCount &r = fluid->refilled();
   double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.rest)};
   double gaps = fluid->gaps();
@@ -101,11 +116,12 @@ void FixLbIbb::post_run()
       fmt::format("Fix lb/ibb: {:.0f} fluid steps, {:.4g} M nodes/s over the whole loop; fluid "
                   "{:.1f} %, grains in and "
                   "out {:.1f} % of the time\n",
-                  steps, steps * all / run * 1e-6, 100.0 * most[0] / run, 100.0 * most[1] / run);
+                  steps, speed(), 100.0 * most[0] / clock.loop, 100.0 * most[1] / clock.loop);
   if (links > 0.0)
     text += fmt::format(
         "  {:.0f} cut links, {:.0f} of them closed in pairs in gaps of one node; nodes refilled so "
-        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at rest density\n",
-        links, 2.0 * gaps, refilled[0], refilled[1], refilled[2]);
+        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at rest density; memory {:.4g} "
+        "MiB on the fullest rank\n",
+        links, 2.0 * gaps, refilled[0], refilled[1], refilled[2], most[2] / 1048576.0);
   utils::logmesg(lmp, text);
 }

@@ -44,6 +44,8 @@ void FixLbIbb::init()
 {
   check_scene();
   check_order_of_fixes();
+  warned_of_masses = false;
+  check_discs();
   find_variables();
   if (!has_started())
     create_fluid();

@@ -20,9 +20,10 @@
 #include "atom.h"
 #include "domain.h"
 #include "error.h"
+#include "gran_lsd_grains.h"
 #include "gran_lsd_material.h"
+#include "gran_lsd_timestep.h"
 #include "math_const.h"
-#include "modify.h"
 #include "neighbor.h"
 #include "update.h"
 
@@ -32,7 +33,6 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-static constexpr double BIG = 1.0e300;
 static const char STYLE[] = "fix wall/gran/lsd/coulomb";
 
 /* ---------------------------------------------------------------------- */
@@ -45,9 +45,7 @@ FixWallGranLSDCoulomb::FixWallGranLSDCoulomb(LAMMPS *lmp, int narg, char **arg) 
 {
   if (narg < 3 + GranLSDMaterial::NWORDS + 3) utils::missing_cmd_args(FLERR, STYLE, error);
 
-  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag)
-    error->all(FLERR, "{} requires atoms with radius, mass and rotation: use atom_style sphere",
-               STYLE);
+  GranLSDGrains::check_spheres(lmp, STYLE);
 
   scalar_flag = vector_flag = 1;
   size_vector = 6;
@@ -60,27 +58,18 @@ FixWallGranLSDCoulomb::FixWallGranLSDCoulomb(LAMMPS *lmp, int narg, char **arg) 
   iarg += GranLSDMaterial::NWORDS;
   iarg = parse_planes(iarg, narg, arg);
 
-  bool limit_damping = false;
+  int limit_damping = 0;
   while (iarg < narg) {
-    if (iarg + 2 > narg)
-      utils::missing_cmd_args(FLERR, fmt::format("{} {}", STYLE, arg[iarg]), error);
-    if (strcmp(arg[iarg], "offset") == 0) {
-      offset = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-      if (!(offset >= 0.0) || std::isinf(offset))
-        error->all(FLERR, "{}: offset {} must be 0 or positive", STYLE, offset);
+    if (GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping))
       iarg += 2;
-    } else if (strcmp(arg[iarg], "limit_damping") == 0) {
-      limit_damping = utils::logical(FLERR, arg[iarg + 1], false, lmp);
-      iarg += 2;
-    } else if (strcmp(arg[iarg], "shear") == 0 || strcmp(arg[iarg], "wiggle") == 0) {
+    else if (strcmp(arg[iarg], "shear") == 0 || strcmp(arg[iarg], "wiggle") == 0)
       iarg = parse_motion(iarg, narg, arg);
-    } else {
+    else
       error->all(FLERR, "{}: unknown keyword {}, known are offset, limit_damping, shear and wiggle",
                  STYLE, arg[iarg]);
-    }
   }
 
-  law = GranLSD::make_law(material, limit_damping);
+  law = GranLSD::make_law(material, limit_damping != 0);
   time_origin = update->ntimestep;
 }
 
@@ -170,18 +159,9 @@ void FixWallGranLSDCoulomb::init()
 {
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "{} cannot be used with run_style respa: use run_style verlet", STYLE);
-  GranLSDMaterial::check_units(lmp, STYLE);
-
-  inertia_factor = (domain->dimension == 2) ? GranLSD::INERTIA_DISC : GranLSD::INERTIA_SPHERE;
-
-  fix_rigid = nullptr;
-  for (const auto &ifix : modify->get_fix_list()) {
-    if (!ifix->rigid_flag) continue;
-    if (fix_rigid)
-      error->all(FLERR, "{} can be used with one fix rigid, not with {} and {}", STYLE,
-                 fix_rigid->id, ifix->id);
-    fix_rigid = ifix;
-  }
+  GranLSDGrains::check_units(lmp, STYLE);
+  inertia_factor = GranLSDGrains::inertia_factor(lmp);
+  fix_rigid = GranLSDGrains::find_rigid(lmp, STYLE);
 }
 
 /* ----------------------------------------------------------------------
@@ -193,30 +173,29 @@ void FixWallGranLSDCoulomb::setup(int vflag)
   find_masses();
   double lightest = lightest_own();
   MPI_Allreduce(MPI_IN_PLACE, &lightest, 1, MPI_DOUBLE, MPI_MIN, world);
-  t_contact = (lightest < BIG) ? GranLSD::contact_time(material, lightest) : 0.0;
-  if (t_contact > 0.0) GranLSDMaterial::check_timestep(lmp, STYLE, t_contact);
+  t_contact = (lightest < GranLSDTimestep::BIG) ? GranLSD::contact_time(material, lightest) : 0.0;
+  GranLSDTimestep::check(lmp, STYLE, t_contact);
 
   post_force(vflag);
 }
 
-/* ---------------------------------------------------------------------- */
+/* ----------------------------------------------------------------------
+   smallest mass of the own grains of the group, BIG = there are none
+------------------------------------------------------------------------- */
 
 double FixWallGranLSDCoulomb::lightest_own() const
 {
-  double lightest = BIG;
+  double lightest = GranLSDTimestep::BIG;
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit) lightest = MIN(lightest, weight[i]);
   return lightest;
 }
 
-/* ----------------------------------------------------------------------
-   the timestep command outside of a run is checked when the run begins
-------------------------------------------------------------------------- */
+/* ---------------------------------------------------------------------- */
 
 void FixWallGranLSDCoulomb::reset_dt()
 {
-  if (update->whichflag == 1 && t_contact > 0.0)
-    GranLSDMaterial::check_timestep_one(lmp, STYLE, t_contact);
+  GranLSDTimestep::check_reset(lmp, STYLE, t_contact);
 }
 
 /* ----------------------------------------------------------------------
@@ -225,15 +204,8 @@ void FixWallGranLSDCoulomb::reset_dt()
 
 void FixWallGranLSDCoulomb::find_masses()
 {
-  const int nlocal = atom->nlocal;
-  weight.assign(atom->rmass, atom->rmass + nlocal);
-  if (!fix_rigid) return;
-
-  int tmp;
-  auto *body = (int *) fix_rigid->extract("body", tmp);
-  auto *mass_body = (double *) fix_rigid->extract("masstotal", tmp);
-  for (int i = 0; i < nlocal; i++)
-    if (body[i] >= 0) weight[i] = mass_body[body[i]];
+  weight.assign(atom->rmass, atom->rmass + atom->nlocal);
+  if (fix_rigid) GranLSDGrains::put_rigid_masses(fix_rigid, atom->nlocal, weight.data());
 }
 
 /* ---------------------------------------------------------------------- */
@@ -257,10 +229,9 @@ void FixWallGranLSDCoulomb::post_force(int /*vflag*/)
 
   if (neighbor->ago == 0 || (int) weight.size() != nlocal) {
     find_masses();
-    const double lightest = lightest_own();
-    if (!update->setupflag && lightest < BIG) {
-      const double t_own = GranLSD::contact_time(material, lightest);
-      GranLSDMaterial::check_timestep_one(lmp, STYLE, t_own);
+    if (!update->setupflag) {
+      const double t_own = GranLSD::contact_time(material, lightest_own());
+      GranLSDTimestep::check_one(lmp, STYLE, t_own);
     }
   }
 

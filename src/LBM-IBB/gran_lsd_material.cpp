@@ -19,19 +19,15 @@
 
 #include "comm.h"
 #include "error.h"
-#include "force.h"
 #include "text_file_reader.h"
 #include "tokenizer.h"
 #include "update.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 
 using namespace LAMMPS_NS;
-
-// slack for a time step typed in from a printed limit
-
-static constexpr double ROUNDING = 1.0 + 1.0e-6;
 
 /* ----------------------------------------------------------------------
    send a string of rank 0 to all
@@ -139,45 +135,19 @@ GranLSD::Material GranLSDMaterial::parse(LAMMPS *lmp, const std::string &command
 
 /* ---------------------------------------------------------------------- */
 
-void GranLSDMaterial::check_units(LAMMPS *lmp, const std::string &style)
+bool GranLSDMaterial::parse_option(LAMMPS *lmp, const std::string &command, int narg, char **arg,
+                                   int iarg, double &offset, int &limit_damping)
 {
-  if (lmp->force->ftm2v != 1.0)
-    lmp->error->all(FLERR,
-                    "{} cannot be used with units {}, in which a force is not a mass times an "
-                    "acceleration: use si, cgs, micro, nano or lj",
-                    style, lmp->update->unit_style);
-}
-
-/* ---------------------------------------------------------------------- */
-
-static std::string too_long(LAMMPS *lmp, const std::string &style, double t_contact)
-{
-  return fmt::format("Timestep {:.6g} is more than a tenth of the shortest contact of {}, which "
-                     "lasts {:.6g}: use a timestep of at most {:.6g} ({:.6g} is advised), or a "
-                     "lower k_n",
-                     lmp->update->dt, style, t_contact, GranLSD::STEP_LIMIT * t_contact,
-                     GranLSD::STEP_GOOD * t_contact);
-}
-
-/* ---------------------------------------------------------------------- */
-
-void GranLSDMaterial::check_timestep_one(LAMMPS *lmp, const std::string &style, double t_contact)
-{
-  if (lmp->update->dt > ROUNDING * GranLSD::STEP_LIMIT * t_contact)
-    lmp->error->one(FLERR, too_long(lmp, style, t_contact));
-}
-
-/* ---------------------------------------------------------------------- */
-
-void GranLSDMaterial::check_timestep(LAMMPS *lmp, const std::string &style, double t_contact)
-{
-  const double dt = lmp->update->dt;
-  if (dt > ROUNDING * GranLSD::STEP_LIMIT * t_contact)
-    lmp->error->all(FLERR, too_long(lmp, style, t_contact));
-  if (dt > ROUNDING * GranLSD::STEP_GOOD * t_contact && lmp->comm->me == 0)
-    lmp->error->warning(FLERR,
-                        "Timestep {:.6g} is more than a fiftieth of the shortest contact of {}, "
-                        "which lasts {:.6g}: the restitution will be off by more than a percent; "
-                        "a timestep of {:.6g} is advised",
-                        dt, style, t_contact, GranLSD::STEP_GOOD * t_contact);
+  if (iarg + 2 > narg)
+    utils::missing_cmd_args(FLERR, fmt::format("{} {}", command, arg[iarg]), lmp->error);
+  if (strcmp(arg[iarg], "offset") == 0) {
+    offset = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    if (!(offset >= 0.0) || std::isinf(offset))
+      lmp->error->all(FLERR, "{}: offset {} must be 0 or positive", command, offset);
+  } else if (strcmp(arg[iarg], "limit_damping") == 0) {
+    limit_damping = utils::logical(FLERR, arg[iarg + 1], false, lmp);
+  } else {
+    return false;
+  }
+  return true;
 }

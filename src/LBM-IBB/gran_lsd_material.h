@@ -25,7 +25,7 @@
 
 namespace LAMMPS_NS {
 
-// what the pair style and the wall fix share on the LAMMPS side of the law
+// what the commands of the pair style and the wall fix have in common
 
 namespace GranLSDMaterial {
 
@@ -35,18 +35,11 @@ namespace GranLSDMaterial {
   static constexpr int NWORDS = 3;
   GranLSD::Material parse(LAMMPS *lmp, const std::string &command, int narg, char **arg, int iarg);
 
-  // error unless force = mass x acceleration in the units of the script
+  // keyword and value "offset" or "limit_damping" at arg[iarg]; false = it is
+  // another keyword, that has a value too
 
-  void check_units(LAMMPS *lmp, const std::string &style);
-
-  // error beyond a tenth of t_contact, warning beyond a fiftieth; to be called
-  // by all ranks
-
-  void check_timestep(LAMMPS *lmp, const std::string &style, double t_contact);
-
-  // the error of check_timestep() alone, for one rank
-
-  void check_timestep_one(LAMMPS *lmp, const std::string &style, double t_contact);
+  bool parse_option(LAMMPS *lmp, const std::string &command, int narg, char **arg, int iarg,
+                    double &offset, int &limit_damping);
 
 }    // namespace GranLSDMaterial
 }    // namespace LAMMPS_NS

@@ -96,12 +96,12 @@ void LBOptionsParser::keyword()
     o.shrink = number("shrink");
     if (o.shrink < 0.0) refuse(at, fmt::format("{} must not be negative", o.shrink));
   } else if (name == "accel") {
-    o.accel = vector(name);
+    o.accel = drive(name);
   } else if (name == "gradp") {
-    o.gradp = vector(name);
+    o.gradp = drive(name);
     o.has_gradp = true;
   } else if (name == "buoyancy") {
-    o.buoyancy = vector(name);
+    o.buoyancy = drive(name);
     o.has_buoyancy = true;
   } else if (name == "face") {
     face();
@@ -111,6 +111,17 @@ void LBOptionsParser::keyword()
                "face, accel, gradp, buoyancy, shrink, average, check",
                name);
   }
+}
+
+// in two dimensions nothing can be driven along z
+LBVector LBOptionsParser::drive(const std::string &what)
+{
+  const int at = iarg;
+  LBVector values = vector(what);
+  if (domain->dimension == 2 && !values[2].zero())
+    refuse(at, fmt::format("its z component is {}, it must be 0 with dimension 2",
+                           values[2].text()));
+  return values;
 }
 
 void LBOptionsParser::face()

@@ -71,6 +71,7 @@ class LBOptionsParser : protected Pointers {
   bool follows_number() const;
   LBValue value(const std::string &what);
   LBVector vector(const std::string &what);
+  LBVector drive(const std::string &what);
 };
 
 }    // namespace LAMMPS_NS

@@ -65,7 +65,6 @@ template <class L> class Block {
   const Layout &layout() const { return at; }
   std::int64_t step() const { return t; }
   void advance() { t++; }
-  void set_step(std::int64_t step) { t = step; }
 
   // pointers p with p[i][index] = N_s(i, index) at step s
   Slots<L> slots(std::int64_t s) const

@@ -7,7 +7,7 @@
 namespace lbm {
 
 Cover::Cover(const Layout &layout, int dimension, const Sides &sides) :
-    at_(layout), dimension_(dimension), map_(layout.size + 64, FLUID), open_(false)
+    at_(layout), dimension_(dimension), sides_(sides), map_(layout.size + 64, FLUID), open_(false)
 {
   for (int d = 0; d < 3; d++) {
     lo_[d] = sides[d][0] == NEIGHBOUR ? -at_.ghost[d] : 0;
@@ -95,7 +95,8 @@ bool Cover::deeper(const Sphere &a, const Vec3 &ca, const Sphere &b, const Vec3 
     return s.radius - std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   };
   const double da = depth(a, ca), db = depth(b, cb);
-  return da > db || (da == db && a.id < b.id);
+  if (da != db) return da > db;
+  return a.id != b.id ? a.id < b.id : a.centre < b.centre;    // images of one sphere
 }
 
 void Cover::fill(std::size_t s)
@@ -140,7 +141,7 @@ bool Cover::same_places(const std::vector<Sphere> &list) const
 double Cover::bytes() const
 {
   return double(map_.size() * sizeof(int32_t) + runs_.size() * sizeof(Run) +
-                rows_.size() * sizeof(Rows) + spheres_.size() * sizeof(Sphere));
+                rows_.size() * sizeof(Rows) + spheres_.size() * (sizeof(Sphere) + sizeof(Vec3)));
 }
 
 }    // namespace lbm

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Which nodes the spheres cover. A node is solid if it lies strictly inside a sphere; where spheres
-// overlap it belongs to the one it lies deepest in, ties to the smaller id: no choice depends on
-// the order of the list or on the rank.
+// overlap it belongs to the one it lies deepest in, ties to the smaller id, of two
+// images to the smaller centre: no choice depends on the order of the list or on the rank.
 //
 // Cost: proportional to covered nodes, not to the box.
 
@@ -59,11 +59,13 @@ class Cover {
   // centre of sphere s in the coordinates of the block, where node (0, 0, 0) is the origin
   const Vec3 &centre(std::size_t s) const { return centres_[s]; }
   bool has_open_faces() const { return open_; }
+  Side behind(int d, int side) const { return sides_[d][side]; }
   double bytes() const;
 
  private:
   Layout at_;
   int dimension_;
+  Sides sides_;
   Int3 lo_, hi_;    // nodes that may be covered: owned ones and ghosts with a neighbour behind
   std::vector<Sphere> spheres_;
   std::vector<Vec3> centres_;

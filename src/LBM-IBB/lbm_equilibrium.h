@@ -34,17 +34,23 @@ template <class L> double equilibrium(int i, const Moments &m)
   return L::w[i] * (m.drho + (1.0 + m.drho) * (3.0 * eu + 4.5 * eu * eu - 1.5 * dot(m.u, m.u)));
 }
 
+// The same for populations before collision, which carry the bare momentum rho u - F/2
+template <class L> double bare_equilibrium(int i, const Moments &m, const Vec3 &force)
+{
+  return equilibrium<L>(i, m) - 1.5 * L::w[i] * dot(L::e[i], force);
+}
+
 // moments of the populations that arrive at node n (eq. 12; half-force correction after Guo et al.
 // 2002); force is the force density on the fluid
 template <class L> Moments moments(const Slots<L> &f, Index n, const Vec3 &force)
 {
-  Moments m{0.0, {0.5 * force[0], 0.5 * force[1], 0.5 * force[2]}};
+  Moments m{};
   for (int i = 0; i < L::Q; i++) {
     const double fi = f[i][n];
     m.drho += fi;
     for (int d = 0; d < L::D; d++) m.u[d] += L::e[i][d] * fi;
   }
-  for (int d = 0; d < L::D; d++) m.u[d] /= 1.0 + m.drho;
+  for (int d = 0; d < L::D; d++) m.u[d] = (m.u[d] + 0.5 * force[d]) / (1.0 + m.drho);
   return m;
 }
 

@@ -167,20 +167,28 @@ namespace {
     }
   }
 
+  void add_pressure(const Cover &cover, const Hidden &hidden, int32_t sphere, double p,
+                    std::vector<Load> &loads)
+  {
+    const Vec3 turn = cross(cover.centre(sphere), hidden.we);
+    for (int d = 0; d < 3; d++) {
+      loads[sphere].force[d] += p * hidden.we[d];
+      loads[sphere].torque[d] += p * (hidden.wxe[d] - turn[d]);
+    }
+  }
+
   // Fluid at rest would give 2 w drho e to s, and the opposite to t. The links from s to t, found
-  // with sphere s on the rank that owns their first node, do it once more: half of it each.
+  // with sphere t on the rank that owns their first node, do it once more: half of it each. What is
+  // behind a face does not.
   void press_apart(const Cover &cover, const Hidden &hidden, std::vector<Load> &loads)
   {
-    const double drho = 0.5 * (cover.spheres()[hidden.s].drho + cover.spheres()[hidden.t].drho);
-    for (int k = 0; k < 2; k++) {
-      const int32_t sphere = k == 0 ? hidden.s : hidden.t;
-      const double p = k == 0 ? drho : -drho;
-      const Vec3 turn = cross(cover.centre(sphere), hidden.we);
-      for (int d = 0; d < 3; d++) {
-        loads[sphere].force[d] += p * hidden.we[d];
-        loads[sphere].torque[d] += p * (hidden.wxe[d] - turn[d]);
-      }
+    if (hidden.t < 0) {
+      add_pressure(cover, hidden, hidden.s, 2.0 * cover.spheres()[hidden.s].drho, loads);
+      return;
     }
+    const double drho = 0.5 * (cover.spheres()[hidden.s].drho + cover.spheres()[hidden.t].drho);
+    add_pressure(cover, hidden, hidden.s, drho, loads);
+    add_pressure(cover, hidden, hidden.t, -drho, loads);
   }
 
 }    // namespace

@@ -81,17 +81,6 @@ template <class L> void Halo<L>::exchange(const Block<L> &block)
     for (int side = 0; side < 2; side++) along(block, forwards ? p : L::D - 1 - p, side, forwards);
 }
 
-template <class L> double Halo<L>::bytes_per_step() const
-{
-  double n = 0.0;
-  for (int d = 0; d < L::D; d++)
-    for (int side = 0; side < 2; side++)
-      if (neighbours_.exists(d, side))
-        n += double(for_each_crossing(d, side, true, [](int, const Box &) {
-        }));
-  return n * sizeof(double);
-}
-
 template class Halo<D3Q19>;
 template class Halo<D2Q9>;
 

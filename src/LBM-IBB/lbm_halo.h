@@ -24,7 +24,6 @@ template <class L> class Halo {
 
   // after the sweep of step t and before any reading of N_{t+1}; block.step() is still t
   void exchange(const Block<L> &block);
-  double bytes_per_step() const;
 
  private:
   struct Box {

@@ -11,7 +11,7 @@ void Links::clear()
   groups.clear();
   gaps.clear();
   hidden.clear();
-  size = at_open_faces = 0;
+  size = 0;
 }
 
 void Links::trim()
@@ -28,8 +28,9 @@ void Links::trim()
 double Links::bytes() const
 {
   return double(q.capacity() * sizeof(double) + 3 * place[0].capacity() * sizeof(int16_t) +
-                gaps.capacity() * sizeof(Gap) + pockets.capacity() * sizeof(uint32_t) + groups.capacity() * sizeof(LinkGroup) +
-                hidden.capacity() * sizeof(Hidden));
+                gaps.capacity() * sizeof(Gap) + pockets.capacity() * sizeof(uint32_t) +
+                groups.capacity() * sizeof(LinkGroup) + hidden.capacity() * sizeof(Hidden) +
+                bits.capacity() * sizeof(Bits));
 }
 
 namespace {
@@ -52,6 +53,7 @@ namespace {
     void find()
     {
       if (lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]) return;
+      hide_at_faces();
       // bit 0 and bit 63 are neighbours of nodes looked at only
       for (x0 = lo[0] - 1; x0 < hi[0]; x0 += 62) {
         read_bits();
@@ -91,19 +93,33 @@ namespace {
           bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s));
     }
 
-    // each is found once: with the sphere that covers its neighbour below along x
+    // Each is found once: with the sphere that covers its neighbour below along x, or above if a wall
+    // is below.
     void find_pockets()
     {
+      static_assert(L::Q == 19 || L::Q == 9, "neighbours are those of D3Q19 or D2Q9");
       const auto wide = [](uint64_t b) {
         return b | b << 1 | b >> 1;
+      };
+      const bool wall_below = cover.behind(0, 0) == Cover::WALL && x0 == -1;
+      const bool wall_above = cover.behind(0, 1) == Cover::WALL && at.n[0] - x0 <= 63;
+      uint64_t water = ~uint64_t(0);    // bits that are not behind a wall along x
+      if (wall_below) water &= ~uint64_t(1);
+      if (wall_above) water &= ~(~uint64_t(0) << (at.n[0] - x0));
+      const auto walled = [&](int d, int p) {
+        return (p < 0 && cover.behind(d, 0) == Cover::WALL) ||
+            (p >= at.n[d] && cover.behind(d, 1) == Cover::WALL);
       };
       for (int z = lo[2]; z <= hi[2]; z++)
         for (int y = lo[1]; y <= hi[1]; y++) {
           const Bits &here = bits(y, z);
           const auto fluid = [&](int dy, int dz) {
-            return bits(y + dy, z + dz).negative;
+            if (walled(1, y + dy) || walled(2, z + dz)) return uint64_t(0);
+            return bits(y + dy, z + dz).negative & water;
           };
-          uint64_t found = window() & here.negative & here.equal << 1 & ~(here.negative >> 1);
+          uint64_t with = here.equal << 1;
+          if (wall_below) with |= here.equal >> 1 & uint64_t(2);
+          uint64_t found = window() & here.negative & with & ~(fluid(0, 0) << 1 | fluid(0, 0) >> 1);
           if (!found) continue;
           found &= ~wide(fluid(-1, 0) | fluid(1, 0));
           if constexpr (L::D == 3) {
@@ -177,28 +193,65 @@ namespace {
       for (std::size_t k = begin; k < links.size; k++)
         q[k] = cut({x[k] - c[0], y[k] - c[1], z[k] - c[2]}, e, r);
       for (std::size_t k : at_open_face) q[k] = 0.5;
-      links.at_open_faces += at_open_face.size();
       at_open_face.clear();
     }
 
     // links from nodes of another sphere
     void hide(int i, uint64_t found, int y, int z)
     {
-      const int(&e)[3] = L::e[i];
-      const double w = L::w[i];
-      const Vec3 we{w * e[0], w * e[1], w * e[2]};
       const Index row = at.index(x0, y, z);
       for (; found; found &= found - 1) {
         const int k = __builtin_ctzll(found);
-        const int32_t t = owner[row + k];
-        auto h = links.hidden.begin() + first_hidden;
-        while (h != links.hidden.end() && h->t != t) ++h;
-        if (h == links.hidden.end()) h = links.hidden.insert(h, {int32_t(s), t});
-        const Vec3 wxe = cross({x0 + k + 0.5 * e[0], y + 0.5 * e[1], z + 0.5 * e[2]}, we);
-        for (int d = 0; d < 3; d++) {
-          h->we[d] += we[d];
-          h->wxe[d] += wxe[d];
+        hide_link(i, owner[row + k], {x0 + k, y, z});
+      }
+    }
+
+    void hide_link(int i, int32_t t, const Int3 &from)
+    {
+      const int(&e)[3] = L::e[i];
+      const double w = L::w[i];
+      const Vec3 we{w * e[0], w * e[1], w * e[2]};
+      auto h = links.hidden.begin() + first_hidden;
+      while (h != links.hidden.end() && h->t != t) ++h;
+      if (h == links.hidden.end()) h = links.hidden.insert(h, {int32_t(s), t});
+      const Vec3 wxe =
+          cross({from[0] + 0.5 * e[0], from[1] + 0.5 * e[1], from[2] + 0.5 * e[2]}, we);
+      for (int d = 0; d < 3; d++) {
+        h->we[d] += we[d];
+        h->wxe[d] += wxe[d];
+      }
+    }
+
+    // links from behind a wall or an open face to covered nodes next to it
+    void hide_at_faces()
+    {
+      for (int d = 0; d < L::D; d++)
+        for (int side = 0; side < 2; side++) {
+          const int layer = side == 0 ? 0 : at.n[d] - 1;
+          if (cover.behind(d, side) == Cover::NEIGHBOUR || layer < lo[d] || layer > hi[d]) continue;
+          Int3 a = lo, b = hi, p;
+          a[d] = b[d] = layer;
+          for (p[2] = a[2]; p[2] <= b[2]; p[2]++)
+            for (p[1] = a[1]; p[1] <= b[1]; p[1]++)
+              for (p[0] = a[0]; p[0] <= b[0]; p[0]++)
+                if (owner[at.index(p[0], p[1], p[2])] == int32_t(s)) hide_behind(d, side, p);
         }
+    }
+
+    // through this face of node p; through an edge of the box with the first of its faces only
+    void hide_behind(int d, int side, const Int3 &p)
+    {
+      for (int i = 1; i < L::Q; i++) {
+        const int(&e)[3] = L::e[i];
+        if (e[d] != (side == 0 ? 1 : -1)) continue;
+        bool first = true;
+        for (int k = 0; k < d; k++) {
+          const int from = p[k] - e[k];
+          if ((from < 0 && cover.behind(k, 0) != Cover::NEIGHBOUR) ||
+              (from >= at.n[k] && cover.behind(k, 1) != Cover::NEIGHBOUR))
+            first = false;
+        }
+        if (first) hide_link(i, FLUID, {p[0] - e[0], p[1] - e[1], p[2] - e[2]});
       }
     }
 

@@ -35,10 +35,11 @@ struct Gap {
   double q_ahead, q_behind;
 };
 
-// Links between the nodes of two spheres that touch, or nearly: no fluid is there to press the two
-// apart. Sums over such links from nodes of t to nodes of s; w weighs them as populations do.
+// Links between the nodes of two spheres that touch, or nearly, or of a sphere and what lies behind a
+// face of the box: no fluid is there to press the two apart. Sums over such links from nodes of t to
+// nodes of s; w weighs them as populations do.
 struct Hidden {
-  int32_t s, t;
+  int32_t s, t;    // t = FLUID: behind a face
   Vec3 we{},
       wxe{};    // of w e, and of w x times e with x the middle of the link, block coordinates
 };
@@ -49,9 +50,8 @@ struct Links {
   std::vector<double> q;
   std::size_t size = 0;    // entries in use of the arrays above
   std::vector<Gap> gaps;
-  std::vector<uint32_t> pockets;    // fluid nodes all of whose neighbours are covered
+  std::vector<uint32_t> pockets;    // fluid nodes all of whose neighbours are covered or behind walls
   std::vector<Hidden> hidden;
-  std::size_t at_open_faces = 0;
   std::vector<Bits> bits;    // scratch of find_links()
 
   void clear();    // all but the pockets, which wait for the links of all spheres

@@ -23,7 +23,7 @@ struct Survey {
   Vec3 velocity{};           // sum of u; over all nodes of the box it is the superficial velocity
   Extreme speed{0.0, {}};    // largest |u|
   Extreme drho_min{0.0, {}}, drho_max{0.0, {}};
-  // a node that is not a number, or whose density is not positive; nobad means none
+  // a node that is not a number, or whose density is not positive
   bool bad = false;
   Int3 bad_node{};
   double bad_drho = 0.0;

@@ -16,12 +16,6 @@ namespace {
     return before.spheres()[node.sphere].velocity_at(arm);
   }
 
-  // populations before collision carry the bare momentum rho u - F/2
-  template <class L> double bare_equilibrium(int i, const Moments &m, const Vec3 &force)
-  {
-    return equilibrium<L>(i, m) - 1.5 * L::w[i] * dot(L::e[i], force);
-  }
-
   // Moments next to uncovered nodes, those beyond a face of the block got from the neighbour there
   template <class L> class Around {
    public:
@@ -201,14 +195,19 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
   for (const Index n : pockets) {
     const Int3 p = at.node(n);
     Moments m{0.0, {}};
+    int around = 0;
     for (int i = 1; i < L::Q; i++) {
       const int32_t s = cover.owner()[n + at.offset(L::e[i])];
+      if (s < 0) continue;    // behind a wall
       const Sphere &sphere = cover.spheres()[s];
       const Vec3 &c = cover.centre(s);
       const Vec3 u = sphere.velocity_at({p[0] - c[0], p[1] - c[1], p[2] - c[2]});
-      m.drho += sphere.drho / (L::Q - 1);
-      for (int d = 0; d < L::D; d++) m.u[d] += u[d] / (L::Q - 1);
+      m.drho += sphere.drho;
+      for (int d = 0; d < L::D; d++) m.u[d] += u[d];
+      around++;
     }
+    m.drho /= around;
+    for (double &u : m.u) u /= around;
     for (int i = 0; i < L::Q; i++) f[i][n] = bare_equilibrium<L>(i, m, force);
   }
 }

@@ -8,6 +8,13 @@
 namespace lbm {
 namespace {
 
+  // largest tau whose density change under a pressure difference stays below eps:
+  // (tau - 1/2)^2 <= 3 eps rho nu^2 / (dp dx^2)
+  double largest_tau(double eps, const Units &units, double nu, double pressure_difference)
+  {
+    return 0.5 + std::sqrt(3.0 * eps * units.rho / pressure_difference) * nu / units.dx;
+  }
+
   __attribute__((format(printf, 1, 2))) std::string print(const char *format, ...)
   {
     char text[512];
@@ -127,11 +134,6 @@ int cells(double L, double dx, const char *direction, std::string &text)
     return 0;
   }
   return int(whole);
-}
-
-double largest_tau(double eps, const Units &units, double nu, double pressure_difference)
-{
-  return 0.5 + std::sqrt(3.0 * eps * units.rho / pressure_difference) * nu / units.dx;
 }
 
 }    // namespace lbm

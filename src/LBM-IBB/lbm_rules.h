@@ -38,9 +38,5 @@ std::vector<Finding> review(const Plan &plan);
 // reason in text
 int cells(double L, double dx, const char *direction, std::string &text);
 
-// largest tau whose density change under a pressure difference stays below eps:
-// (tau - 1/2)^2 <= 3 eps rho nu^2 / (dp dx^2)
-double largest_tau(double eps, const Units &units, double nu, double pressure_difference);
-
 }    // namespace lbm
 #endif

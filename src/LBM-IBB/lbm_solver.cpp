@@ -85,7 +85,7 @@ namespace {
     {
       const Slots<L> f = block.slots();
       for (int i = 0; i < L::Q; i++)
-        f[i][at.index(x, y, z)] = equilibrium<L>(i, m) - 1.5 * L::w[i] * dot(L::e[i], force);
+        f[i][at.index(x, y, z)] = bare_equilibrium<L>(i, m, force);
     }
     bool solid(int x, int y, int z) const override
     {

@@ -19,7 +19,6 @@ struct Units {
   double mass() const { return rho * volume(); }
   double velocity() const { return dx / dt; }
   double spin() const { return 1.0 / dt; }
-  double acceleration() const { return dx / (dt * dt); }
   double pressure() const { return rho * velocity() * velocity(); }
   double force_density() const { return pressure() / dx; }
   double force() const { return force_density() * volume(); }

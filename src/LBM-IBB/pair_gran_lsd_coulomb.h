@@ -23,8 +23,7 @@ PairStyle(gran/lsd/coulomb,PairGranLSDCoulomb);
 #include "pair_gran_hooke.h"
 
 #include "gran_lsd_law.h"
-
-#include <vector>
+#include "gran_lsd_timestep.h"
 
 namespace LAMMPS_NS {
 
@@ -47,23 +46,20 @@ class PairGranLSDCoulomb : public PairGranHooke {
   void *extract(const char *, int &) override;
 
  protected:
+  static constexpr const char *STYLE = "pair_style gran/lsd/coulomb";    // of messages
+
   double offset;            // contact radius minus atom radius
   double inertia_factor;    // I/(m r^2), for the cap of the friction
   double **k_n, **restitution, **friction;
   GranLSD::Law **law;
 
-  double t_contact;                   // shortest contact between the grains there are
-  std::vector<double> lightest;       // smallest mass of a type that is free to move
-  std::vector<int> type_is_frozen;    // whether a type has frozen grains
+  double t_contact;                  // shortest contact between the grains there are
+  GranLSDLightestGrains lightest;    // the ones that have it
 
   void allocate();
   void update_rigid_masses();
-  double mass(int) const;
   GranLSD::Force contact(int, int, double, double, const double *, const GranLSD::Law &, double &,
                          double &) const;
-  void find_lightest();
-  double shortest_contact() const;
-  void check_new_grains();
 };
 
 }    // namespace LAMMPS_NS

@@ -239,8 +239,7 @@ TEST(Planes, CouetteIsExactWithCli)
   couette_everywhere<Cli>();
 }
 
-// A channel one node wide: the pair of links closed together is exact, whatever the distances, also
-// below the floor of their sum, which keeps their ratio
+// A channel one node wide: the pair of links closed together is exact, whatever the distances
 TEST(Planes, CouetteInAGapOfOneNodeIsExact)
 {
   auto both = [](double low, double height) {

@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // What fix lb/ibb refuses and warns of before the first step: the value, the limit and the remedy.
 
 #include "fluid_scenes.h"
@@ -42,7 +40,7 @@ TEST_F(Refusals, WordsOfTheLine)
 {
   EXPECT_IN(refused_line("dx 1e-4 nu 1e-6"), "missing");
   EXPECT_IN(refused_line("nu 1e-6 dx 1e-4 rho 1000"), "expected 'dx', not 'nu'");
-  EXPECT_IN(refused_line("dx 1e-4 nu 1e-6 rho water"), "water");
+  EXPECT_IN(refused_line("dx 1e-4 nu 1e-6 rho water"), "Expected floating point parameter instead of 'water'");
   EXPECT_IN(refused_line("dx 0 nu 1e-6 rho 1000"), "dx = 0 must be larger than 0");
   EXPECT_IN(refused_line("dx 1e-4 nu -1e-6 rho 1000"), "nu = -1e-06 must be larger than 0");
   EXPECT_IN(refused_line("dx 1e-4 nu 1e-6 rho 0"), "rho = 0 must be larger than 0");
@@ -50,7 +48,7 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("every 2 every 3"), "'every' is given twice: remove one");
   EXPECT_IN(refusal("every 0"), "every: 0 must be at least 1");
   EXPECT_IN(refusal("every -2"), "every: -2 must be at least 1");
-  EXPECT_IN(refusal("every 1.5"), "1.5");
+  EXPECT_IN(refusal("every 1.5"), "Expected integer parameter instead of '1.5'");
   EXPECT_IN(refusal("every"), "fluid step interval");
   EXPECT_IN(refusal("check 0"), "check: 0 must be at least 1");
   EXPECT_IN(refusal("collision mrt"), "'mrt' is neither bgk nor trt");
@@ -59,10 +57,10 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("collision bgk 0.2"), "unknown keyword '0.2'");
   EXPECT_IN(refusal("link linear"), "'linear' is none of cli, bouzidi, halfway");
   EXPECT_IN(refusal("refill none"), "'none' is neither grad nor equilibrium");
-  EXPECT_IN(refusal("average maybe"), "maybe");
+  EXPECT_IN(refusal("average maybe"), "Expected boolean parameter instead of 'maybe'");
   EXPECT_IN(refusal("shrink -1e-5"), "shrink: -1e-05 must not be negative");
   EXPECT_IN(refusal("accel 1 2"), "accel");
-  EXPECT_IN(refusal("gradp 1 2 up"), "up");
+  EXPECT_IN(refusal("gradp 1 2 up"), "Expected floating point parameter instead of 'up'");
   EXPECT_IN(refusal("buoyancy 0 0 v_g"), "variable g does not exist: define it before the run");
   // all that the contract names is taken
   EXPECT_EQ(
@@ -81,8 +79,8 @@ TEST_F(Refusals, VariablesOfTheWrongStyle)
                    fluid("face zlo wall face zhi pressure v_p") + run(0),
                "variable p is not of style equal");
   start();
-  EXPECT_ERROR(box({8, 8, 8}) + "\nvariable a equal 1/(step-1)" + fluid("accel 0 v_a 0") + run(3),
-               "variable");
+  EXPECT_ERROR(box({8, 8, 8}) + "\nvariable a equal exp(500*step)" + fluid("accel 0 v_a 0") + run(3),
+               "Fix lb/ibb: variable a is inf at step 2");
 }
 
 TEST_F(Refusals, Faces)
@@ -112,6 +110,10 @@ TEST_F(Refusals, Faces)
             "zlo has no meaning with dimension 2: remove it");
   EXPECT_IN(refusal("face xlo wall 0 1e-3 1e-3 face xhi wall", "f p p", {8, 8, 1}),
             "xlo: the z component of the velocity is 0.001, it must be 0 with dimension 2");
+  for (const std::string drive : {"accel", "gradp", "buoyancy"})
+    for (const std::string value : {"1", "v_a"})
+      EXPECT_IN(refusal(drive + " 0 0 " + value, "p p p", {8, 8, 1}),
+                drive + ": its z component is " + value + ", it must be 0 with dimension 2");
 }
 
 TEST_F(Refusals, CellsOfTheBox)

@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // Grains in the fluid of fix lb/ibb: invariance, motion, groups, coupling in time.
 
 #include "fluid_scenes.h"

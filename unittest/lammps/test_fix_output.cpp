@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // What other commands get from fix lb/ibb: thermo, averages, reductions, fields in dumps and files.
 
 #include "fluid_scenes.h"
@@ -170,7 +168,7 @@ TEST_F(Outputs, SummaryOfTheScene)
   EXPECT_IN(log, "pressure planes along z are 0.0019 apart (box length - dx)");
   EXPECT_IN(log, "pressure difference now 0.02: density change 0.6 %");
   EXPECT_IN(log, "7.2 to 7.2 cells per diameter; links cli, refill grad, force of the last fluid");
-  EXPECT_IN(log, "MiB on the fullest rank; left out: walls, body force, messages between ranks, ");
+  EXPECT_IN(log, "MiB on the fullest rank without grains; left out: walls, body force, messages between ranks, ");
   EXPECT_IN(log, "Fix lb/ibb: 10 fluid steps, ");
   EXPECT_IN(log, "raised the ghost cutoff from 0 to 0.00066 (largest radius + 2 dx + skin)");
 }

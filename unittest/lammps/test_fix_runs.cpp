@@ -15,8 +15,6 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// SI in, SI out: what drives the fluid of fix lb/ibb comes back as force on the grains, flows between
-
 // Runs with fix lb/ibb: none, several, interrupted; grains that come and go; two dimensions.
 
 #include "fluid_scenes.h"

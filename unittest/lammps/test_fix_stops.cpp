@@ -70,8 +70,8 @@ TEST_F(Stops, ValuesThatAreNoNumbers)
 
 TEST_F(Stops, VariableThatIsNoNumber)
 {
-  script(box({8, 8, 8}) + fluid("accel v_a 0 0") + "\nvariable a equal sqrt(5-step)");
-  EXPECT_NE(error_of(run(20)), "");
+  script(box({8, 8, 8}) + fluid("accel v_a 0 0") + "\nvariable a equal exp(100*step)");
+  EXPECT_ERROR(run(20), "Fix lb/ibb: variable a is inf at step 8");
 }
 
 TEST_F(Stops, PressureRampGoesTooFar)
@@ -111,14 +111,14 @@ TEST_F(Stops, GrainPlacedAnewBetweenRuns)
 
 TEST_F(Stops, SurfaceOfAGrainTooFast)
 {
-  script(box({16, 12, 12}) + grain(1, {6, 6, 6}, 3.6) + "\nset atom 1 omega 0 0 60" +
+  script(box({16, 12, 12}) + grain(1, {6, 6, 6}, 3.6) + "\nset atom 1 omega 0 0 50" +
          fluid("check 1") + "\nfix m all move linear 0 0 0");
   const std::string message = error_of(run(10));
-  EXPECT_IN(message, "stopped at step 1, fluid step 1: ");
-  EXPECT_IN(message, "limit 0.3");
+  EXPECT_IN(message, "stopped at step 1, fluid step 1: grain 1 at (");
+  EXPECT_IN(message, "has a surface that moves at ");
 }
 
-TEST_F(Stops, FluidCannotFollowNewSubdomains)
+TEST_F(Stops, BalancingOneRankIsHarmless)
 {
   // on one rank nothing moves, so balancing is harmless
   script(box({16, 12, 12}) + grain(1, {6, 6, 6}, 3.6) + fluid() + frozen() + run(5));

@@ -90,14 +90,17 @@ class ContactRanks : public LammpsTest {
     start(MPI_COMM_SELF);
     script(text);
     const auto alone = result();
-    ASSERT_EQ(natoms, 64);
+    EXPECT_EQ(natoms, 64);
 
     // grains meet at 1 m/s or so, in a box of millimetres
     const double scale[] = {1.0e-3, 1.0, 1.0e3};
     double speed = 0.0;
     for (const auto &[id, values] : together) {
       if (id == 0) continue;
-      ASSERT_EQ(alone.count(id), 1u);
+      if (!alone.count(id)) {    // without leaving the others alone
+        ADD_FAILURE() << "no grain " << id;
+        continue;
+      }
       const auto &expected = alone.at(id);
       for (int k = 0; k < 9; k++)
         EXPECT_NEAR(values[k], expected[k], 1.0e-12 * scale[k / 3]) << "grain " << id;
