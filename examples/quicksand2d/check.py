@@ -35,9 +35,10 @@ def lifted(name, label, least):
     s = tables.series(name)
     begin = tables.when(s, 3, 0.05)
     figure(f"rise_after_3_delta_at_{label}_d", next(r[3] for r in s if r[1] > 2.9 * DELTA), least, "-")
-    figure(f"begins_to_rise_at_{label}_s", begin)
+    figure(f"begins_to_rise_at_{label}_s", begin, 0, "-")
     reached = tables.when(s, 10, LID - 0.05)
-    figure(f"top_reaches_lid_at_{label}_delta", reached / DELTA if reached else None)
+    if reached:
+        figure(f"top_reaches_lid_at_{label}_delta", reached / DELTA)
     return s
 
 
@@ -50,20 +51,27 @@ def lowest(name):
     s = tables.series(name)
     dt = s[-1][1] / s[-1][0]
     before = tables.mean_profile(name, 0.08, 0.14, dt)
-    middle = tables.when(s, 3, 0.3) or s[-1][1] - 0.02    # the bed has begun to go
-    during = tables.mean_profile(name, middle - 0.02, middle + 0.02, dt)
-    bed = [k for k, r in enumerate(before) if r[1] < 0.5]
-    third = len(bed) // 3
-    bottom, top = bed[:third], bed[-third - 1:-1]
+    going = tables.when(s, 3, 0.6) or s[-1][1] - 0.02    # the bed has begun to go
+    during = tables.mean_profile(name, going - 0.02, going + 0.02, dt)
+    # the loosened zone: layers around the one that has gained most, with half of its gain at least;
+    # the layer at the floor and those at the top of the bed are not full
+    bed = [k for k, r in enumerate(before) if r[1] < 0.5][:-2]
+    gain = {k: during[k][1] - before[k][1] for k in bed}
+    lo = hi = max(bed, key=gain.get)
+    while gain.get(lo - 1, 0.0) > 0.5 * gain[lo]:
+        lo -= 1
+    while gain.get(hi + 1, 0.0) > 0.5 * gain[hi]:
+        hi += 1
+    zone = range(lo, hi + 1)
+    above = [k for k in range(hi + 1, hi + 4) if k in bed]
 
     def mean(rows, part, column):
         return sum(rows[k][column] for k in part) / len(part)
-    for label, part in ("bottom", bottom), ("top", top):
-        figure(f"porosity_gain_{label}_third", mean(during, part, 1) - mean(before, part, 1),
-               *((0.005, "-") if label == "bottom" else ()))
-        figure(f"gradient_ratio_{label}_third", mean(during, part, 3) / mean(before, part, 3))
-    figure("gradient_top/bottom_gain", mean(during, top, 3) / mean(before, top, 3)
-           / (mean(during, bottom, 3) / mean(before, bottom, 3)), 1.01, "-")
+    figure("loosened_zone_middle/bed_height", (mean(before, zone, 0) * 1e3 - FLOOR) / s[0][6], 0, 0.5)
+    figure("loosened_zone_porosity_gain", mean(during, zone, 1) - mean(before, zone, 1), 0.01, "-")
+    for label, part, low, high in (("in_loosened_zone", zone, "-", 1.0), ("above_it", above, 1.0, "-")):
+        figure(f"gradient_{label}_before/i_c", mean(before, part, 4))
+        figure(f"gradient_growth_{label}", mean(during, part, 3) / mean(before, part, 3), low, high)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,9 @@ def draw_snapshots(name, figure_number):
     shots = shots[-8:]
     columns = 4
     rows = -(-len(shots) // columns)
-    fig, axes = plt.subplots(rows, columns, figsize=(11, 3.6 * rows), squeeze=False)
+    if len(shots) in (5, 6):
+        columns, rows = 3, 2
+    fig, axes = plt.subplots(rows, columns, figsize=(2.75 * columns, 3.6 * rows), squeeze=False)
     for axis in axes.flat:
         axis.axis("off")
     low, high = min(first.values()), max(first.values())
