@@ -166,6 +166,7 @@ std::vector<double> ComputeLbIbbProfile::submerged_weights(double g) const
 void ComputeLbIbbProfile::compute_array()
 {
   invoked_array = update->ntimestep;
+  find_fix();    // between runs it may be gone
   if (!fix->has_fluid())
     error->all(FLERR,
                "Compute lb/ibb/profile: the fluid exists from the first run on: use run 0 before");

@@ -193,7 +193,8 @@ TEST_F(Profile, Refusals)
   EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 weight 1", "unknown keyword 'weight'");
   script(profile("z layers 4"));
   EXPECT_THROW(rows(), LAMMPS_NS::LAMMPSException);    // before the first run
-  EXPECT_ERROR("unfix w\nrun 0", "there is no fix lb/ibb with ID w");
+  EXPECT_ERROR("run 0 post no\nunfix w\nprint $(c_p[1][2])", "there is no fix lb/ibb with ID w");
+  EXPECT_ERROR("run 0", "there is no fix lb/ibb with ID w");
 
   start();
   script(box({8, 8, 1}) + fluid());
