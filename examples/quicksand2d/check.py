@@ -43,12 +43,15 @@ def lifted(name, label, least):
 
 
 def lowest(name):
-    """the gradient that lifts the bed when it grows slowly, and what the profile says then"""
-    found = tables.log_line("log." + name, r"quicksand2d onset i/ic = ([0-9.]+) at ([0-9.]+) s")
-    figure("onset_i/ic", float(found[0]) if found else None, 0.9, 1.01)
-    if not found:
-        return
+    """the lowest gradient that, held, lifts the bed; a hundredth less does not; what the profile says"""
+    for label, other, low, high in (("0.97", name, 0.05, "-"), ("0.96", "below", "-", 0.05)):
+        s = tables.series(other)
+        figure(f"rise_after_12_delta_at_{label}_d", s[-1][3], low, high)
     s = tables.series(name)
+    begin = tables.when(s, 3, 0.05)
+    figure("begins_to_rise_at_0.97_s", begin, 0, "-")
+    if not begin:
+        return
     dt = s[-1][1] / s[-1][0]
     before = tables.mean_profile(name, 0.08, 0.14, dt)
     going = tables.when(s, 3, 0.6) or s[-1][1] - 0.02    # the bed has begun to go

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 from matplotlib.collections import EllipseCollection
 import tables
 
-RUNS = [("i110", "13"), ("i100", "14"), ("low", "15"), ("i090", "")]
+RUNS = [("i110", "13"), ("i100", "14"), ("low", "15"), ("below", ""), ("i090", "")]
 WIDTH, HEIGHT, FLOOR, LID, DELTA = 14.4, 17.28, 0.288, 16.992, 0.065    # mm, s
 G_SUBMERGED = 1.6e4    # (rho_s - rho) g, N/m3
 
@@ -22,7 +22,8 @@ def ratio(name):
 def draw_snapshots(name, figure_number):
     shots = tables.snapshots(name)
     first = {int(r[0]): r[2] for r in shots[0][1]}
-    shots = shots[-8:]
+    if len(shots) > 8:    # the last eight, where it happens
+        shots = shots[-8:]
     columns = 4
     rows = -(-len(shots) // columns)
     if len(shots) in (5, 6):
@@ -70,6 +71,7 @@ def draw_rise(runs):
     axes[0].axhline(0.05, color="0.6", lw=0.8)
     axes[0].set(xlabel="time (s)", ylabel="mean rise / mean diameter")
     axes[0].set_yscale("symlog", linthresh=0.05)
+    axes[0].set_ylim(bottom=-0.01)
     axes[0].legend(title="$i/i_c$")
     axes[1].set(xlabel="time (s)", ylabel="$\\Sigma F_y / \\Delta p S$", ylim=(0.9, 1.1))
     axes[1].axhline(1.00018, color="k", ls=":", lw=0.8, label="article, at 0.90: 1.00018")
@@ -110,7 +112,7 @@ def draw_profiles(name):
     for axis, x in ((axes[1], 1.0), (axes[2], 1.0), (axes[3], 0.0)):
         axis.axvline(x, color="0.6", lw=0.8)
     axes[0].legend(fontsize=7)
-    fig.suptitle(f"{'slow rise to ' if name == 'low' else ''}i = {ratio(name):.3f} $i_c$, "
+    fig.suptitle(f"i = {ratio(name):.3f} $i_c$, "
                  "means over 20 ms by layers of 0.576 mm")
     fig.tight_layout()
     fig.savefig(f"profile-{name}.png", dpi=100)
