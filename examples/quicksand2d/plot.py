@@ -72,7 +72,7 @@ def draw_rise(runs):
     axes[0].set(xlabel="time (s)", ylabel="mean rise / mean diameter")
     axes[0].set_yscale("symlog", linthresh=0.05)
     axes[0].set_ylim(bottom=-0.01)
-    axes[0].legend(title="$i/i_c$")
+    axes[0].legend(title="$i/i_c$", loc="lower right", fontsize=8)
     axes[1].set(xlabel="time (s)", ylabel="$\\Sigma F_y / \\Delta p S$", ylim=(0.9, 1.1))
     axes[1].axhline(1.00018, color="k", ls=":", lw=0.8, label="article, at 0.90: 1.00018")
     axes[1].legend(title="$i/i_c$")
