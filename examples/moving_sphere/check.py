@@ -10,6 +10,7 @@ import math
 import sys
 
 WINDOW = 200    # first fluid step after the start that counts
+CELL = 25       # fluid steps in which the sphere passes one cell
 
 
 def read(name):
@@ -21,21 +22,28 @@ def two_steps(force):
     return [force[0]] + [0.5 * (a + b) for a, b in zip(force, force[1:])]
 
 
+def rms(x):
+    return math.sqrt(sum(y * y for y in x) / len(x))
+
+
 def measure(moving, fixed):
-    """bias, rms and largest of moving/fixed - 1 in the window, per cent"""
+    """of moving/fixed - 1 in the window, per cent: bias, rms, largest, rms of what repeats in each cell"""
     d = [100 * (m / f - 1) for m, f in zip(moving[WINDOW:], fixed[WINDOW:])]
-    return sum(d) / len(d), math.sqrt(sum(x * x for x in d) / len(d)), max(abs(x) for x in d)
+    bias = sum(d) / len(d)
+    whole = len(d) // CELL * CELL
+    repeated = [sum(d[k:whole:CELL]) * CELL / whole - bias for k in range(CELL)]
+    return bias, rms(d), max(abs(x) for x in d), rms(repeated)
 
 
 def collect():
-    """{(collision, link, refill, how): (bias, rms, max)}; how: no, two (steps, by us), yes (by the fix)"""
+    """{(collision, link, refill, how): measure()}; how: no, two (steps, by us), yes (by the fix)"""
     runs = {tuple(name[6:-4].split("-")): read(name) for name in glob.glob("force-*.dat")}
     table, ringing = {}, {}
     for (motion, collision, link, refill, average), force in sorted(runs.items()):
         if motion == "fixed":
             if average == "no":
                 mean = two_steps(force)
-                ringing[collision, link] = measure(force, mean)[1:]
+                ringing[collision, link] = measure(force, mean)[1]
             continue
         if average == "yes":
             table[collision, link, refill, "yes"] = measure(force, runs["fixed", collision, link, "grad", "yes"])
@@ -53,11 +61,11 @@ def check(mode):
     def add(name, value, low="-", high="-"):
         results.append(f"{name} {value:.4f} {low} {high}")
 
-    for key, (bias, rms, largest) in sorted(table.items()):
-        for name, value in ("bias%", bias), ("rms%", rms), ("max%", largest):
+    for key, values in sorted(table.items()):
+        for name, value in zip(("bias%", "rms%", "max%", "rms_per_cell%"), values):
             add(f"{name}_{'-'.join(key)}", value)
-    for key, (rms, largest) in sorted(ringing.items()):
-        add(f"ringing_rms%_fixed_{'-'.join(key)}", rms)
+    for key, value in sorted(ringing.items()):
+        add(f"ringing_rms%_fixed_{'-'.join(key)}", value)
     best = min((value[1], key) for key, value in table.items())[1]
     print("best:", *best)
     add("best_rms%", table[best][1], 0, 1.4)

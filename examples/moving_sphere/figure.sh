@@ -26,8 +26,8 @@ else
   size=(-var length 66 -var steps 700)   # 12 r along the flow, 28 cells of way
   sphere fixed bgk bouzidi grad no
   sphere moving bgk bouzidi equilibrium no
-  sphere moving bgk bouzidi grad no
-  sphere fixed trt cli grad no
+  sphere fixed bgk cli grad no
+  sphere moving bgk cli grad no
 fi
 sphere fixed trt cli grad yes            # the defaults of the fix
 sphere moving trt cli grad yes
