@@ -59,7 +59,7 @@ def check(mode):
     results = []
 
     def add(name, value, low="-", high="-"):
-        results.append(f"{name} {value:.4f} {low} {high}")
+        results.append(f"{name} {value:.4g} {low} {high}")
 
     for key, values in sorted(table.items()):
         for name, value in zip(("bias%", "rms%", "max%", "rms_per_cell%"), values):

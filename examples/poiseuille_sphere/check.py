@@ -66,7 +66,7 @@ def check(mode):
     results = []
 
     def add(name, value, low="-", high="-"):
-        results.append(f"{name} {value:.4f} {low} {high}")
+        results.append(f"{name} {value:.4g} {low} {high}")
 
     for run in runs:
         if (run["sx"], run["sy"]) != (0, 0):
