@@ -7,9 +7,13 @@ set -euo pipefail
 mode=${1:-quick}
 rm -f poiseuille_sphere.dat
 
-# flow OPTIONS...   one run on 2 ranks; its result is appended to poiseuille_sphere.dat
+# flow CELLS D OPTIONS...   one run, on 2 ranks if it is big; its result goes to poiseuille_sphere.dat
 flow() {
-  mpirun -np 2 "$LMP" -in in.poiseuille_sphere -log none "$@" > lmp.txt 2>&1 || { tail -n 20 lmp.txt; exit 1; }
+  local cells=$1 D=$2 ranks=1
+  shift 2
+  if [ "$D" -ge 60 ]; then ranks=2; fi
+  mpirun -np $ranks "$LMP" -in in.poiseuille_sphere -log none -var cells "$cells" -var D "$D" "$@" > lmp.txt 2>&1 ||
+    { tail -n 20 lmp.txt; exit 1; }
   grep '^poiseuille_sphere' lmp.txt
 }
 
@@ -17,14 +21,14 @@ flow() {
 periods() {
   local cells=$1 D
   shift
-  for D in "$@"; do flow -var cells "$cells" -var D "$D" "${rules[@]}"; done
+  for D in "$@"; do flow "$cells" "$D" "${rules[@]}"; done
 }
 
 # places CELLS D   three more places of the sphere against the lattice, half a cell away
 places() {
-  flow -var cells "$1" -var D "$2" -var sx 0.5 -var sy 0 "${rules[@]}"
-  flow -var cells "$1" -var D "$2" -var sx 0 -var sy 0.5 "${rules[@]}"
-  flow -var cells "$1" -var D "$2" -var sx 0.5 -var sy 0.5 "${rules[@]}"
+  flow "$1" "$2" -var sx 0.5 -var sy 0 "${rules[@]}"
+  flow "$1" "$2" -var sx 0 -var sy 0.5 "${rules[@]}"
+  flow "$1" "$2" -var sx 0.5 -var sy 0.5 "${rules[@]}"
 }
 
 fast=(-var tau 3)
