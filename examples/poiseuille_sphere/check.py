@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Force and torque on the sphere against the reference: check.py quick|full
 
-Reads poiseuille_sphere.dat and reference.dat, writes results.txt: name, value, low, high (- where there
+Reads poiseuille_sphere.dat and reference.txt, writes results.txt: name, value, low, high (- where there
 is no limit). dF and dM are relative differences in per cent, at the D/r of the run.
 """
 import math
@@ -10,7 +10,7 @@ import sys
 R_OVER_H = 0.44    # r/h, distance h from the plate
 
 
-def read_reference(name="reference.dat"):
+def read_reference(name="reference.txt"):
     """rows (D/r, F, M) of finite period, and (F, M) of the isolated sphere"""
     with open(name) as file:
         rows = [line.split() for line in file if not line.startswith("#")]

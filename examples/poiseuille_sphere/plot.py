@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Figs 7 and 8: reads poiseuille_sphere.dat and reference.dat, makes force.png, torque.png, errors.png"""
+"""Figs 7 and 8: reads poiseuille_sphere.dat and reference.txt, makes force.png, torque.png, errors.png"""
 import numpy as np
 import matplotlib
 matplotlib.use("Agg")
