@@ -99,8 +99,9 @@ def check(mode):
         twin = next((x for x in runs if kind(x) == "trt-cli-tau3" and (x["r"], x["D"], x["sx"], x["sy"])
                      == (run["r"], run["D"], run["sx"], run["sy"])), None)
         if twin:
-            add(f"tau_0.7_against_3%_F_r{run['r']:.2f}_D{run['ratio']:.2f}r", 100 * (run["F"] / twin["F"] - 1), -0.05, 0.05)
-            add(f"tau_0.7_against_3%_M_r{run['r']:.2f}_D{run['ratio']:.2f}r", 100 * (run["M"] / twin["M"] - 1), -0.05, 0.05)
+            for key in "FM":
+                add(f"tau_0.7_against_3%_{key}_r{run['r']:.2f}_D{run['ratio']:.2f}r",
+                    100 * (run[key] / twin[key] - 1), -0.05, 0.05)
 
     force, torque = wakiya()
     add("eq25_against_exact%", 100 * (force / limit[0] - 1))
