@@ -10,7 +10,7 @@ water() {
   local name=$1
   shift
   echo "$name: $*"
-  mpirun -np 2 "$LMP" -in in.quicksand -log none -var out "$name" -var after 0 "$@" > "$name.txt"
+  mpirun -np 2 "$LMP" -in in.quicksand -log none -var out "$name" "$@" -var after 0 > "$name.txt"    # of two the first counts
 }
 
 # deposit NAME SEED FRICTION [OPTIONS...]
