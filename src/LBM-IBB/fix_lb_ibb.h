@@ -64,6 +64,17 @@ class FixLbIbb : public Fix {
   int pack_reverse_comm(int, int, double *) override;
   void unpack_reverse_comm(int, int *, double *) override;
 
+  // for computes; all physical but nodes. profile() is collective, and costs a pass over the fluid.
+  bool has_fluid() const { return fluid != nullptr; }
+  const lbm::Int3 &lattice_nodes() const { return nodes; }
+  double spacing() const { return options.dx; }
+  double density() const { return options.rho; }
+  double viscosity() const { return options.nu; }
+  bool has_buoyancy() const { return options.has_buoyancy; }
+  const lbm::Vec3 &gravity() const { return drive.buoyancy; }    // of the last fluid step
+  double hydrodynamic_radius(int i) const;
+  std::vector<lbm::Layer> profile(int axis, int width);    // in layers of width nodes
+
  private:
   LBOptions options;
   lbm::Units units;
@@ -140,7 +151,6 @@ class FixLbIbb : public Fix {
   void give_forces();
   void check_grain(int i, const lbm::Sphere &s);
   void check_displacement(int i, const lbm::Sphere &s);
-  double hydrodynamic_radius(int i) const;
 
   // watching
   void take_survey();

@@ -146,6 +146,22 @@ void FixLbIbb::stop(const Int3 &node, const std::string &what)
 
 // ---------------------------------------------------------------------- numbers for the user
 
+std::vector<lbm::Layer> FixLbIbb::profile(int axis, int width)
+{
+  lbm::Planes sums = fluid->planes(axis, nodes[axis]);
+  lbm::reduce(sums, *neighbours);
+  const double across = double(nodes[0]) * nodes[1] * nodes[2] / nodes[axis];
+  const double force = drive.force[axis] / units.force_density();
+  auto all = lbm::layers(sums, across, width, domain->periodicity[axis] == 1, force);
+  for (lbm::Layer &l : all) {
+    l.pressure *= units.pressure();
+    l.flux *= units.velocity();
+    l.gradient *= units.force_density();
+    l.length *= units.dx;
+  }
+  return all;
+}
+
 Vec3 FixLbIbb::total_force()
 {
   Vec3 mine{}, all;

@@ -92,6 +92,10 @@ namespace {
       return now && now->owner()[at.index(x, y, z)] >= 0;
     }
     Survey survey() const override { return lbm::survey<L>(at, block.slots(), owner(), force); }
+    Planes planes(int axis, int n) const override
+    {
+      return lbm::planes<L>(at, block.slots(), owner(), force, axis, n);
+    }
 
     const Layout &layout() const override { return at; }
     double links() const override { return double(nlinks); }

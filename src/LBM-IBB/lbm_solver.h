@@ -13,6 +13,7 @@
 #include "lbm_face.h"
 #include "lbm_monitor.h"
 #include "lbm_neighbours.h"
+#include "lbm_profile.h"
 #include "lbm_refill.h"
 
 #include <memory>
@@ -57,6 +58,8 @@ class Fluid {
   virtual void set_equilibrium(int x, int y, int z, const Moments &m) = 0;
   virtual bool solid(int x, int y, int z) const = 0;
   virtual Survey survey() const = 0;    // of this rank, see reduce()
+  // of this rank, by the n planes of the whole lattice across an axis, see reduce()
+  virtual Planes planes(int axis, int n) const = 0;
 
   virtual const Layout &layout() const = 0;
   virtual double links() const = 0;    // of this rank in the last step, gaps included
