@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""Drag against solid fraction, its error against resolution, and against tau: periodic_arrays.png"""
+import numpy as np
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+runs = np.atleast_2d(np.loadtxt("periodic_arrays.dat", dtype=str))
+array, rules = runs[:, 0], runs[:, 3] + " " + runs[:, 4]
+phi, d, tau, K, spread = (runs[:, c].astype(float) for c in (1, 2, 5, 6, 7))
+reference = np.loadtxt("reference.dat", dtype=str)
+known = {(a, float(p)): float(k) for a, p, k in reference}
+error = np.array([100 * (k / known[a, p] - 1) for a, p, k in zip(array, phi, K)])
+main = (rules == "trt cli") & (tau == 2.0)
+
+figure, axes = plt.subplots(1, 3, figsize=(13, 4))
+sc = reference[:, 0] == "sc"
+axes[0].semilogy(reference[sc, 1].astype(float), reference[sc, 2].astype(float), "k-", lw=1, label="Zick & Homsy, sc")
+axes[0].semilogy(reference[~sc, 1].astype(float), reference[~sc, 2].astype(float), "kx", label="Hasimoto, bcc and fcc")
+coarse = main & (d < 10)
+axes[0].semilogy(phi[coarse], K[coarse], "o", mfc="none", label="ours")
+axes[0].set_xlabel("solid fraction")
+axes[0].set_ylabel(r"$K = F / 6\pi\mu aU$")
+axes[0].legend(fontsize=8)
+
+for p in np.unique(phi[main & (array == "sc")]):
+    take = main & (array == "sc") & (phi == p)
+    order = np.argsort(d[take])
+    axes[1].errorbar(d[take][order], error[take][order], 100 * spread[take][order], marker="o", ms=4, capsize=2, label=f"{p:g}")
+axes[1].axhline(0, color="0.6", lw=0.8)
+axes[1].set_xlabel("cells per diameter")
+axes[1].set_ylabel("error of K (%), bars: spread over places")
+axes[1].legend(fontsize=7, title="solid fraction", title_fontsize=7)
+
+for rule in np.unique(rules):
+    take = (rules == rule) & (array == "sc") & (phi == 0.125) & (d < 7.5)
+    order = np.argsort(tau[take])
+    axes[2].plot(tau[take][order], error[take][order], "o-", ms=4, label=rule)
+axes[2].axhline(0, color="0.6", lw=0.8)
+axes[2].set_xlabel(r"relaxation time $\tau$")
+axes[2].set_ylabel("error of K (%), fraction 1/8, 7.4 cells per diameter")
+axes[2].legend(fontsize=8)
+figure.tight_layout()
+figure.savefig("periodic_arrays.png", dpi=100)
