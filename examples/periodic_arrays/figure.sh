@@ -11,8 +11,7 @@ array() { "$LMP" -in in.periodic_arrays -log none "$@" > screen.txt || { tail -n
 # about 7.5 cells per diameter, times $1
 sweep() {
   local phi cells
-  while read -r phi cells; do array -var phi "$phi" -var cells $((cells * $1)); done <<< "0.008 30
-0.027 20
+  while read -r phi cells; do array -var phi "$phi" -var cells $((cells * $1)); done <<< "0.027 20
 0.064 15
 0.125 12
 0.216 10
@@ -29,10 +28,9 @@ for tau in 0.6 1.5; do
 done
 if [ "$size" = full ]; then
   sweep 2
-  for factor in 1 2; do
-    array -var array bcc -var count 2 -var phi 0.027 -var cells $((26 * factor))
-    array -var array fcc -var count 4 -var phi 0.027 -var cells $((32 * factor))
-  done
+  array -var phi 0.008 -var cells 30
+  array -var array bcc -var count 2 -var phi 0.027 -var cells 26
+  array -var array fcc -var count 4 -var phi 0.027 -var cells 32
   for cells in 8 9 10 16 20 32 40; do array -var cells $cells; done
   for tau in 0.55 0.8 1.0; do
     array -var tau $tau

@@ -28,6 +28,8 @@ def main(size):
         densest = max(r[0] for r in runs)
         for rule in "trt_cli", "trt_bouzidi", "bgk_bouzidi":
             k = [r[4] for r in runs if r[0] == densest and r[1] == 10 and r[2] == rule]
+            if not k:
+                continue
             # what is left of trt and cli is the drift of mass, below; the other rules must show that this can fail
             print(f"k_range_over_tau_{rule}_% {100 * (max(k) / min(k) - 1):.3f} {'0 0.2' if rule == 'trt_cli' else '5 -'}", file=out)
         print(f"largest_force_balance {max(abs(r[6]) for r in runs if r[2] == 'trt_cli'):.1e} 0 1e-4", file=out)

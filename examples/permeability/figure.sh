@@ -5,18 +5,17 @@ cd "$(dirname "$0")"
 size=${1:-quick}
 rm -f permeability.dat
 
-# bed OPTIONS...   one run on 2 ranks
-bed() { mpirun -np 2 "$LMP" -in in.permeability -log none "$@" > screen.txt || { tail -n 20 screen.txt; exit 1; }; }
+# bed OPTIONS...   one run on one rank
+bed() { "$LMP" -in in.permeability -log none "$@" > screen.txt || { tail -n 20 screen.txt; exit 1; }; }
 
-taus='0.6 1.0 1.5'
-if [ "$size" = full ]; then taus='0.55 0.6 0.8 1.0 1.5 2.0'; fi
-for tau in $taus; do
-  bed -var tau "$tau"
-  bed -var tau "$tau" -var link bouzidi
-  bed -var tau "$tau" -var link bouzidi -var collision bgk
-done
+article=(-var link bouzidi -var collision bgk)
+for tau in 0.6 1.0 1.5; do bed -var tau $tau; done
+for tau in 0.6 1.0; do bed -var tau $tau "${article[@]}"; done
 for count in 36 45; do bed -var pack pack-$count.data; done
 if [ "$size" = full ]; then
+  for tau in 0.55 0.8 2.0; do bed -var tau $tau; done
+  for tau in 0.55 0.8 1.5 2.0; do bed -var tau $tau "${article[@]}"; done
+  for tau in 0.55 0.6 0.8 1.0 1.5 2.0; do bed -var tau $tau -var link bouzidi; done
   for cells in 15 20; do
     for count in 36 45 54; do bed -var pack pack-$count.data -var cells $cells; done
   done

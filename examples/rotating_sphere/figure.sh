@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 size=${1:-quick}
 rm -f rotating_sphere.dat
 
-spin() { mpirun -np 2 "$LMP" -in in.rotating_sphere -log none "$@" > screen.txt || { tail -n 20 screen.txt; exit 1; }; }
+spin() { "$LMP" -in in.rotating_sphere -log none "$@" > screen.txt || { tail -n 20 screen.txt; exit 1; }; }
 
 for r in 3.08 4 5.5; do spin -var r $r; done
 spin -var r 4 -var tau 0.8

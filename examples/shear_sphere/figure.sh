@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 size=${1:-quick}
 rm -f shear_sphere.dat
 
-shear() { mpirun -np 2 "$LMP" -in in.shear_sphere -log none "$@" > screen.txt || { tail -n 20 screen.txt; exit 1; }; }
+shear() { "$LMP" -in in.shear_sphere -log none "$@" > screen.txt || { tail -n 20 screen.txt; exit 1; }; }
 
 for ratio in 5 6 8; do shear -var r 4 -var ratio $ratio; done
 if [ "$size" = full ]; then
