@@ -38,4 +38,5 @@ def main(size):
     print(open("results.txt").read(), end="")
 
 
-main(sys.argv[1] if len(sys.argv) > 1 else "quick")
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else "quick")

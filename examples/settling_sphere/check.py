@@ -25,8 +25,11 @@ def main(size):
             print(f"u_max_{case}_deviation_% {100 * (u / measured - 1):.2f} - -", file=out)
             if case != "E3":
                 continue
+            print(f"landed_E3_s {run[-1][0]:.3f} - -", file=out)
             for time, v in ((float(a), float(b)) for a, b in columns("measured_E3.dat")):
-                after = next(i for i in range(1, len(run)) if run[i][0] >= time or i == len(run) - 1)
+                if time > run[-1][0]:              # landed before
+                    continue
+                after = next(i for i in range(1, len(run)) if run[i][0] >= time)
                 (t0, _, v0), (t1, _, v1) = run[after - 1], run[after]
                 ours = v0 + (v1 - v0) * (time - t0) / (t1 - t0)
                 print(f"v_E3_at_{time:.2f}s_m/s {ours:.4f} - -", file=out)
