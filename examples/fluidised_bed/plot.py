@@ -5,14 +5,15 @@ import numpy as np
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from check import exponent
+from check import exponent, large
 
 phi, beads, seed, cells, Re, ratio, drift = np.atleast_2d(np.loadtxt("fluidised_bed.dat")).T
 figure, axes = plt.subplots(1, 2, figsize=(10, 4.2))
 x = np.linspace(0, 0.5, 60)
 axes[0].semilogy(x, (1 - x) ** (4.35 * Re[0] ** -0.03), "k-", lw=1, label=f"Richardson & Zaki, n = {4.35 * Re[0] ** -0.03:.2f}")
 axes[0].semilogy(x, (1 - x) ** exponent(Re[0]), "k--", lw=1, label=f"Garside & Al-Dibouni, n = {exponent(Re[0]):.2f}")
-axes[0].semilogy(phi, ratio, "o", mfc="none", label=f"ours, {cells[0]:g} cells per diameter")
+axes[0].semilogy(phi, ratio, "x", color="0.5", label="ours, in the periodic box")
+axes[0].semilogy(phi, large(phi, beads, ratio), "o", mfc="none", label=f"ours, in a large bed; {cells[0]:g} cells per diameter")
 axes[0].set_xlabel("solid fraction")
 axes[0].set_ylabel(f"$U / U_t$, Re = {Re[0]:.2f}")
 axes[0].legend(fontsize=8)

@@ -14,6 +14,6 @@ if [ "$size" = full ]; then
   shear -var r 4 -var ratio 12
   shear -var r 4 -var hold yes
   shear -var r 4 -var ratio 12 -var hold yes
-  for Re in 0.1 0.2 0.5 1.0; do shear -var r 4 -var Re $Re -var ratio 12; done
+  for Re in 0.1 0.2 0.5 1.0; do shear -var r 4 -var Re $Re -var tau 0.7; done
 fi
 python3 check.py "$size"
