@@ -6,7 +6,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 runs = np.atleast_2d(np.loadtxt("periodic_arrays.dat", dtype=str))
-array, rules = runs[:, 0], runs[:, 3] + " " + runs[:, 4]
+array, rules = runs[:, 0], np.array([f"{a} {b}" for a, b in runs[:, 3:5]])
 phi, d, tau, K, spread = (runs[:, c].astype(float) for c in (1, 2, 5, 6, 7))
 reference = np.loadtxt("reference.dat", dtype=str)
 known = {(a, float(p)): float(k) for a, p, k in reference}
