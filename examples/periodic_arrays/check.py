@@ -20,7 +20,7 @@ def main(size):
             if (collision, link, tau) != ("trt", "cli", 2.0):
                 continue
             error = 100 * (K / reference[array, phi] - 1)
-            limit = 5 if d < fine else 1.5         # per cent
+            limit = 5 if d < fine else 1           # per cent
             name = f"K_{array}_phi{phi:g}_d{d:.1f}"
             print(f"{name} {K:.5g} - -", file=out)
             print(f"{name}_error_% {error:.2f} {-limit} {limit}", file=out)
