@@ -26,7 +26,7 @@ def main(size):
             print(f"{name}_error_% {error:.2f} {-limit} {limit}", file=out)
             print(f"{name}_places_% {100 * spread:.2f} - -", file=out)
         for collision, link in ("trt", "cli"), ("trt", "bouzidi"), ("bgk", "bouzidi"):
-            K = [r[6] for r in sorted(runs, key=lambda r: r[5]) if r[1] == 0.125 and r[2] < 7.5 and r[3:5] == (collision, link)]
+            K = [r[6] for r in sorted(runs, key=lambda r: r[5]) if r[1] == 0.125 and 7.3 < r[2] < 7.5 and r[3:5] == (collision, link)]
             gate = "0 0.01" if link == "cli" else "1 -"
             print(f"K_range_over_tau_{collision}_{link}_% {100 * (max(K) / min(K) - 1):.4f} {gate}", file=out)
         print(f"worst_force_balance {max(abs(r[8]) for r in runs):.1e} 0 1e-5", file=out)

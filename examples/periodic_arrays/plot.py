@@ -18,7 +18,7 @@ figure, axes = plt.subplots(1, 4 if more else 3, figsize=(17 if more else 13, 4)
 sc = reference[:, 0] == "sc"
 axes[0].semilogy(reference[sc, 1].astype(float), reference[sc, 2].astype(float), "k-", lw=1, label="Zick & Homsy, sc")
 axes[0].semilogy(reference[~sc, 1].astype(float), reference[~sc, 2].astype(float), "kx", label="Hasimoto, bcc and fcc")
-coarse = main & (d < 10)
+coarse = main & (d > 7.3) & (d < 8.1)
 axes[0].semilogy(phi[coarse], K[coarse], "o", mfc="none", label="ours")
 axes[0].set_xlabel("solid fraction")
 axes[0].set_ylabel(r"$K = F / 6\pi\mu aU$")
@@ -41,7 +41,7 @@ if more:
     axes[3].set_ylabel("error of K (%), fraction 1/8")
 
 for rule in np.unique(rules):
-    take = (rules == rule) & (array == "sc") & (phi == 0.125) & (d < 7.5)
+    take = (rules == rule) & (array == "sc") & (phi == 0.125) & (np.abs(d - 7.4) < 0.1)
     order = np.argsort(tau[take])
     axes[2].plot(tau[take][order], error[take][order], "o-", ms=4, label=rule)
 axes[2].axhline(0, color="0.6", lw=0.8)
