@@ -24,6 +24,6 @@ for name in sorted(glob.glob("fluidised_bed-*.dat")):
 axes[1].set_xlabel("time ($d/U_t$)")
 axes[1].set_ylabel("$U / U_t$")
 axes[1].set_ylim(0, 1.45 * axes[1].get_ylim()[1])
-axes[1].legend(fontsize=7, title="solid fraction", title_fontsize=7, ncols=4, loc="upper center")
+axes[1].legend(fontsize=7, title="solid fraction", title_fontsize=7, ncol=4, loc="upper center")
 figure.tight_layout()
 figure.savefig("fluidised_bed.png", dpi=110)
