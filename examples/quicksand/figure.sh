@@ -10,7 +10,7 @@ water() {
   local name=$1
   shift
   echo "$name: $*"
-  mpirun -np 2 "$LMP" -in in.quicksand -log none -var out "$name" -var after 0 "$@" > "$name.txt"
+  mpirun -np 2 "$LMP" -in in.quicksand -log none -var out "$name" "$@" -var after 0 > "$name.txt"    # of two the first counts
 }
 
 # deposit NAME SEED FRICTION [OPTIONS...]
@@ -26,13 +26,13 @@ else
   for friction in 0.00 0.05 0.10 0.15 0.20 0.25 0.30 0.35 0.40 0.45; do
     seed=$((seed + 1))
     deposit "bed-$seed" $seed $friction
-    water "bed-$seed" -var bed "bed-$seed.data"
+    water "bed-$seed" -var bed "bed-$seed.data" -var start 0.9
   done
   for seed in 1 2; do
     deposit "wide-$seed" $seed 0.3 -var grains 400 -var width 4.8e-3
     water "wide-$seed" -var bed "wide-$seed.data" -var start 0.9
   done
-  for rate in 0.125 0.25 0.50; do
+  for rate in 0.125 0.25 0.50; do    # the shipped bed
     water "rate-$rate" -var start 0.9 -var rate $rate
   done
   for ratio in 0.92 0.94 0.96 0.98 1.00; do
