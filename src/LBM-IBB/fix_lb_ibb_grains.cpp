@@ -44,21 +44,28 @@ void FixLbIbb::place_grains()
     memory->destroy(ghosted);
     memory->create(ghosted, nghosted, OUT, "lb/ibb:ghosted");
   }
-  for (int i = 0; i < atom->nlocal; i++)
+  for (int i = 0; i < atom->nlocal; i++) {
     for (int d = 0; d < 3; d++) {
       ghosted[i][d] = lbm::snap((atom->x[i][d] - domain->boxlo[d]) / units.dx);
       ghosted[i][3 + d] = atom->v[i][d] / units.velocity();
       ghosted[i][6 + d] = atom->omega[i][d] / units.spin();
-      ghosted[i][9] = history[i][EXCESS];
     }
+    ghosted[i][9] = history[i][EXCESS];
+    ghosted[i][10] = history[i][REFUND];
+  }
   comm->forward_comm(this);
 
   const lbm::Layout &at = fluid->layout();
   for (int i = 0; i < nall; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     const double *g = ghosted[i];
-    lbm::Sphere s{atom->tag[i],       {g[0], g[1], g[2]}, hydrodynamic_radius(i) / units.dx,
-                  {g[3], g[4], g[5]}, {g[6], g[7], g[8]}, g[9]};
+    lbm::Sphere s{atom->tag[i],
+                  {g[0], g[1], g[2]},
+                  hydrodynamic_radius(i) / units.dx,
+                  {g[3], g[4], g[5]},
+                  {g[6], g[7], g[8]},
+                  g[9],
+                  g[10]};
     if (i < atom->nlocal) check_grain(i, s);
     bool reaches = true;
     for (int d = 0; d < domain->dimension; d++) {
@@ -128,6 +135,7 @@ void FixLbIbb::give_forces()
     }
     g[6] += loads[s].pressing;
     g[7] += loads[s].area;
+    g[8] += loads[s].swallowed;
   }
   // with newton off LAMMPS has no buffers for it but those it makes on the spot
   if (force->newton)
@@ -148,6 +156,8 @@ void FixLbIbb::give_forces()
       past[LAST + k] = ghosted[i][k];
     }
     past[EXCESS] = ghosted[i][7] > 0.0 ? ghosted[i][6] / ghosted[i][7] : 0.0;
+    if (options.conserve) past[REFUND] = lbm::refund(ghosted[i][8], past[SWALLOWED], ghosted[i][7]);
+    past[SWALLOWED] = ghosted[i][8];
     if (options.has_gradp) {
       const double volume = units.grain_volume(hydrodynamic_radius(i));
       for (int d = 0; d < 3; d++) held[FORCE + d] -= volume * drive.gradp[d];

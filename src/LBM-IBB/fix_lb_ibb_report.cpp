@@ -43,7 +43,7 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
     if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&
         options.face[d][1].kind == lbm::FaceKind::PRESSURE)
       text += fmt::format("  pressure planes along {} are {:.8g} apart (box length - dx){}\n",
-                          "xyz"[d], domain->prd[d] - options.dx,
+                          "xyz"[d], domain -> prd[d] - options.dx,
                           // measured: a staggered momentum (-1)^(x+t) is then never damped
                           nodes[d] % 2 == 0 ? ""
                                             : "; start slowly: with an odd number of nodes between "
@@ -76,9 +76,9 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
   has(force, "body force");
   has(options.has_buoyancy, "buoyancy");
   has(comm->nprocs > 1, "messages between ranks");
-  text += fmt::format(
-      "  memory {:.4g} MiB on the fullest rank{}; left out: {}fields until asked for\n",
-      most / 1048576.0, grains && !has_started() ? " without grains" : "", absent);
+  text +=
+      fmt::format("  memory {:.4g} MiB on the fullest rank{}; left out: {}fields until asked for\n",
+                  most / 1048576.0, grains && !has_started() ? " without grains" : "", absent);
   if (comm->me == 0) utils::logmesg(lmp, text);
 }
 
@@ -90,8 +90,7 @@ void FixLbIbb::start_clock()
 double FixLbIbb::speed() const
 {
   const double seconds = clock.running ? platform::walltime() - clock.start : clock.loop;
-  const double updates =
-      double(fluid_steps - clock.first) * nodes[0] * double(nodes[1]) * nodes[2];
+  const double updates = double(fluid_steps - clock.first) * nodes[0] * double(nodes[1]) * nodes[2];
   return seconds > 0.0 ? updates / seconds * 1e-6 : 0.0;
 }
 

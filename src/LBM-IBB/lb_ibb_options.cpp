@@ -91,6 +91,8 @@ void LBOptionsParser::keyword()
     o.refill = rule == "grad" ? lbm::RefillRule::GRAD : lbm::RefillRule::EQUILIBRIUM;
   } else if (name == "average") {
     o.average = utils::logical(FLERR, next("yes or no"), false, lmp) == 1;
+  } else if (name == "conserve") {
+    o.conserve = utils::logical(FLERR, next("yes or no"), false, lmp) == 1;
   } else if (name == "shrink") {
     const int at = iarg;
     o.shrink = number("shrink");
@@ -108,7 +110,7 @@ void LBOptionsParser::keyword()
   } else {
     error->all(FLERR, iarg,
                "Fix lb/ibb: unknown keyword '{}'; known are every, collision, link, refill, "
-               "face, accel, gradp, buoyancy, shrink, average, check",
+               "face, accel, gradp, buoyancy, shrink, average, conserve, check",
                name);
   }
 }
@@ -119,8 +121,8 @@ LBVector LBOptionsParser::drive(const std::string &what)
   const int at = iarg;
   LBVector values = vector(what);
   if (domain->dimension == 2 && !values[2].zero())
-    refuse(at, fmt::format("its z component is {}, it must be 0 with dimension 2",
-                           values[2].text()));
+    refuse(at,
+           fmt::format("its z component is {}, it must be 0 with dimension 2", values[2].text()));
   return values;
 }
 

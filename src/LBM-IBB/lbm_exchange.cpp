@@ -7,9 +7,10 @@
 namespace lbm {
 namespace {
 
-  // what one direction of one sphere adds up, in packs
+  // what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed along
+  // e alone, and torque then holds the sum of arm times pressure
   template <class V> struct Sums {
-    V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{};
+    V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{}, swallowed = V{};
     double links = 0.0;
   };
 
@@ -24,13 +25,22 @@ namespace {
     return s;
   }
 
-  template <class V> void add(const Sums<V> &sums, double w, Load &load)
+  template <bool moving, class V>
+  void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
   {
-    load.pressing += total(sums.pressing);
+    const double pressing = total(sums.pressing);
+    Vec3 force, torque;
+    for (int d = 0; d < 3; d++) {
+      force[d] = moving ? total(sums.force[d]) : e[d] * pressing;
+      torque[d] = total(sums.torque[d]);
+    }
+    if (!moving) torque = cross(torque, {double(e[0]), double(e[1]), double(e[2])});
+    load.pressing += pressing;
+    load.swallowed += total(sums.swallowed);
     load.area += 2.0 * w * sums.links;
     for (int d = 0; d < 3; d++) {
-      load.force[d] += total(sums.force[d]);
-      load.torque[d] += total(sums.torque[d]);
+      load.force[d] += force[d];
+      load.torque[d] += torque[d];
     }
   }
 
@@ -53,21 +63,21 @@ namespace {
   LBM_INLINE inline void exchange(Sums<V> &sums, const int (&e)[3], double w, const V &out,
                                   const V &back, const V (&arm)[3], const Wall<V> *wall)
   {
-    V F[3], g;
+    V g = out + back;
     if constexpr (moving) {
-      g = out + back - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
+      g = g - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
       const V h = out - back - 6.0 * w * wall->eu;
+      V F[3];
       for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall->u[d] * h;
+      for (int d = 0; d < 3; d++) {
+        const int a = (d + 1) % 3, b = (d + 2) % 3;
+        sums.force[d] = sums.force[d] + F[d];
+        sums.torque[d] = sums.torque[d] + (arm[a] * F[b] - arm[b] * F[a]);
+      }
     } else {
-      g = out + back;
-      for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g;
+      for (int d = 0; d < 3; d++) sums.torque[d] = sums.torque[d] + arm[d] * g;
     }
     sums.pressing = sums.pressing + g;
-    for (int d = 0; d < 3; d++) {
-      const int a = (d + 1) % 3, b = (d + 2) % 3;
-      sums.force[d] = sums.force[d] + F[d];
-      sums.torque[d] = sums.torque[d] + (arm[a] * F[b] - arm[b] * F[a]);
-    }
   }
 
   // indices of nodes; they fit, if not their parts, so that sums modulo 2^32 are right
@@ -75,8 +85,8 @@ namespace {
   LBM_INLINE inline PackUnsigned<W> index(const Layout &at, const PackInt<W> (&place)[3])
   {
     using U = PackUnsigned<W>;
-    return U(place[0]) + U(place[1]) * uint32_t(at.stride_y) +
-        U(place[2]) * uint32_t(at.stride_z) + uint32_t(at.origin);
+    return U(place[0]) + U(place[1]) * uint32_t(at.stride_y) + U(place[2]) * uint32_t(at.stride_z) +
+        uint32_t(at.origin);
   }
 
   // the slots that a link along i uses, see lbm_block.h: each is one address per node
@@ -94,10 +104,10 @@ namespace {
   };
 
   template <class L, class Rule, bool moving, int W>
-  LBM_INLINE inline void bounce_back_pack(const Layout &at, const LinkSlots<L> &slot,
-                                          const Sphere &sphere, const Vec3 &centre,
-                                          const int (&e)[3], double weight, const Links &links,
-                                          std::size_t k, const float *drho, Sums<Pack<W>> &sums)
+  LBM_INLINE inline void
+  bounce_back_pack(const Layout &at, const LinkSlots<L> &slot, const Sphere &sphere,
+                   const Vec3 &centre, const int (&e)[3], double weight, double refund,
+                   const Links &links, std::size_t k, const float *drho, Sums<Pack<W>> &sums)
   {
     using V = Pack<W>;
     PackInt<W> place[3];
@@ -105,8 +115,7 @@ namespace {
       place[d] = convert<PackInt<W>>(load<PackShort<W>>(&links.place[d][k]));
     const V q = load<V>(&links.q[k]);
     V arm[3];    // x_w - c
-    for (int d = 0; d < 3; d++)
-      arm[d] = convert<V>(place[d]) - centre[d] + double(e[d]) * q;
+    for (int d = 0; d < 3; d++) arm[d] = convert<V>(place[d]) - centre[d] + double(e[d]) * q;
     uint32_t n[W];
     store(n, index<W>(at, place));
     const Coefficients<V> c = Rule::template at<V>(q);
@@ -118,8 +127,12 @@ namespace {
       const Wall<V> wall(sphere, e, arm);
       const V rho = 1.0 + convert<V>(gather<W>(drho, n));
       back = back - c.c4 * (3.0 * weight) * rho * wall.eu;
+      sums.swallowed = sums.swallowed + (out - back);
+      back = back + refund;
       exchange<moving>(sums, e, weight, out, back, arm, &wall);
     } else {
+      sums.swallowed = sums.swallowed + (out - back);
+      back = back + refund;
       exchange<moving>(sums, e, weight, out, back, arm, static_cast<Wall<V> *>(nullptr));
     }
     scatter<W>(slot.w, n, back);
@@ -155,6 +168,11 @@ namespace {
     }
     const double D = 1.0 / (1.0 - c2[0] * c2[1]);
     for (int k = 0; k < 2; k++) back[k] = (known[k] + c2[k] * known[1 - k]) * D;
+    double swallowed[2];
+    for (int k = 0; k < 2; k++) {
+      swallowed[k] = out[k] - back[k];
+      back[k] += L::w[i] * cover.spheres()[owner[k]].refund;
+    }
     f[o][n] = back[0];
     f[i][n] = back[1];
     for (int k = 0; k < 2; k++) {
@@ -163,7 +181,8 @@ namespace {
       Sums<double> sums;
       exchange<moving>(sums, e, L::w[i], out[k], back[k], arm[k], &wall);
       sums.links = 1.0;
-      add(sums, L::w[i], loads[owner[k]]);
+      sums.swallowed = swallowed[k];
+      add<moving>(sums, e, L::w[i], loads[owner[k]]);
     }
   }
 
@@ -203,18 +222,19 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const LinkSlots<L> slot(at, f, i);
     const Sphere &sphere = cover.spheres()[group.sphere];
     const Vec3 c = cover.centre(group.sphere);
+    const double refund = L::w[i] * sphere.refund;
     Sums<Pack<W>> sums;
     Sums<double> tail;
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
-      bounce_back_pack<L, Rule, moving, W>(at, slot, sphere, c, L::e[i], L::w[i], links, k, drho,
-                                           sums);
+      bounce_back_pack<L, Rule, moving, W>(at, slot, sphere, c, L::e[i], L::w[i], refund, links, k,
+                                           drho, sums);
     for (; k < group.end; k++)
-      bounce_back_pack<L, Rule, moving, 1>(at, slot, sphere, c, L::e[i], L::w[i], links, k, drho,
-                                           tail);
+      bounce_back_pack<L, Rule, moving, 1>(at, slot, sphere, c, L::e[i], L::w[i], refund, links, k,
+                                           drho, tail);
     sums.links = double(group.end - group.begin);
-    add(sums, L::w[i], loads[group.sphere]);
-    add(tail, L::w[i], loads[group.sphere]);
+    add<moving>(sums, L::e[i], L::w[i], loads[group.sphere]);
+    add<moving>(tail, L::e[i], L::w[i], loads[group.sphere]);
   }
   for (const Gap &gap : links.gaps) close_gap<L, Rule, moving>(at, f, cover, gap, drho, loads);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);

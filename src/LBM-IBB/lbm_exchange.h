@@ -6,6 +6,7 @@
 // with the deviations from the equilibrium at rest density and wall velocity in place of f: the sum
 // over a closed surface is the same, and links that two touching grains hide from each other
 // contribute what fluid at rest density, at rest with the surface, would have given: nothing.
+// A sphere's refund is added to what comes back along each of its links, times the weight w.
 // Fluid at another density presses the two apart where they hide links: equal and opposite forces
 // of the mean density excess around them, without which they would attract each other.
 

@@ -20,6 +20,8 @@ struct Sphere {
   Vec3 spin;          // angular velocity
   // mean density excess around it: of its Load in the former step, summed over ranks and images
   double drho = 0.0;
+  // mass to give back, shared by its links as their weights: see refund()
+  double refund = 0.0;
 
   Vec3 velocity_at(const Vec3 &arm) const
   {
@@ -39,9 +41,18 @@ inline double snap(double x)
 struct Load {
   Vec3 force{}, torque{};
   double pressing = 0.0, area = 0.0;    // sums over links whose ratio is the mean density excess
+  double swallowed = 0.0;               // mass that came to the links and was not given back
 
   double drho() const { return area > 0.0 ? pressing / area : 0.0; }
 };
+
+// Interpolated links do not return all the mass they get, or more: what a sphere swallowed in the last
+// two steps, half of each, is spread evenly over its links in the next. Evenly, so that no force comes
+// of it; two, because links ring from step to step. What is lost is thus at most what one step loses.
+inline double refund(double swallowed, double swallowed_before, double area)
+{
+  return area > 0.0 ? (swallowed + swallowed_before) / area : 0.0;
+}
 
 }    // namespace lbm
 #endif

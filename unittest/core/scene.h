@@ -91,6 +91,7 @@ class Box {
   std::unique_ptr<lbm::Alone> neighbours;
   std::unique_ptr<lbm::Fluid> fluid;
   std::vector<lbm::Load> loads;    // by grain, images summed
+  bool conserve = false;
 
   Box(const lbm::Settings &settings, const Int3 &n, const Vec3 &force = {}) :
       settings(settings), n(n), neighbours(std::make_unique<lbm::Alone>(periodic(settings))),
@@ -103,7 +104,10 @@ class Box {
   void follow(const std::vector<lbm::Sphere> &list)
   {
     grains = list;
-    for (lbm::Sphere &grain : grains) grain.drho = drho[grain.id];
+    for (lbm::Sphere &grain : grains) {
+      grain.drho = drho[grain.id];
+      if (conserve) grain.refund = refund[grain.id];
+    }
     now = images(grains, settings, {0, 0, 0}, n, n);
     fluid->follow(now.spheres);
     loads.assign(list.size(), {});
@@ -121,8 +125,14 @@ class Box {
     for (std::size_t k = 0; k < parts.size(); k++) {
       loads[now.grain[k]].pressing += parts[k].pressing;
       loads[now.grain[k]].area += parts[k].area;
+      loads[now.grain[k]].swallowed += parts[k].swallowed;
     }
-    for (std::size_t s = 0; s < grains.size(); s++) drho[grains[s].id] = loads[s].drho();
+    for (std::size_t s = 0; s < grains.size(); s++) {
+      const std::int64_t id = grains[s].id;
+      drho[id] = loads[s].drho();
+      refund[id] = lbm::refund(loads[s].swallowed, swallowed[id], loads[s].area);
+      swallowed[id] = loads[s].swallowed;
+    }
   }
   void step(const std::vector<lbm::Sphere> &list)
   {
@@ -147,7 +157,7 @@ class Box {
  private:
   std::vector<lbm::Sphere> grains;
   Images now;
-  std::map<std::int64_t, double> drho;    // around each grain, of the last step
+  std::map<std::int64_t, double> drho, refund, swallowed;    // of each grain, of the last step
 };
 
 // a smooth flow that is nowhere trivial; repeats after n nodes
