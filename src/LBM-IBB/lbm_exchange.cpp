@@ -127,7 +127,7 @@ namespace {
       const Wall<V> wall(sphere, e, arm);
       const V rho = 1.0 + convert<V>(gather<W>(drho, n));
       back = back - c.c4 * (3.0 * weight) * rho * wall.eu;
-      sums.swallowed = sums.swallowed + (out - back);
+      sums.swallowed = sums.swallowed + (out - back - (6.0 * weight) * rho * wall.eu);
       back = back + refund;
       exchange<moving>(sums, e, weight, out, back, arm, &wall);
     } else {
@@ -154,7 +154,7 @@ namespace {
       for (double &k : q) k *= GAP_MIN / room;
 
     const int32_t owner[2] = {gap.ahead, gap.behind};
-    double known[2], c2[2], back[2], arm[2][3];
+    double known[2], c2[2], back[2], arm[2][3], pushed[2] = {0.0, 0.0};
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       const Sphere &sphere = cover.spheres()[owner[k]];
@@ -163,14 +163,16 @@ namespace {
       const Coefficients<double> c = Rule::at(q[k]);
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
-      if constexpr (moving)
-        known[k] -= c.c4 * 3.0 * L::w[i] * (1.0 + drho[n]) * Wall<double>(sphere, e, arm[k]).eu;
+      if constexpr (moving) {
+        pushed[k] = 3.0 * L::w[i] * (1.0 + drho[n]) * Wall<double>(sphere, e, arm[k]).eu;
+        known[k] -= c.c4 * pushed[k];
+      }
     }
     const double D = 1.0 / (1.0 - c2[0] * c2[1]);
     for (int k = 0; k < 2; k++) back[k] = (known[k] + c2[k] * known[1 - k]) * D;
     double swallowed[2];
     for (int k = 0; k < 2; k++) {
-      swallowed[k] = out[k] - back[k];
+      swallowed[k] = out[k] - back[k] - 2.0 * pushed[k];
       back[k] += L::w[i] * cover.spheres()[owner[k]].refund;
     }
     f[o][n] = back[0];

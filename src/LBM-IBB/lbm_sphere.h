@@ -41,7 +41,9 @@ inline double snap(double x)
 struct Load {
   Vec3 force{}, torque{};
   double pressing = 0.0, area = 0.0;    // sums over links whose ratio is the mean density excess
-  double swallowed = 0.0;               // mass that came to the links and was not given back
+  // mass that came to the links and was not given back, but for what fluid at rest with the moving
+  // surface would leave there; that adds up to what the sphere displaces
+  double swallowed = 0.0;
 
   double drho() const { return area > 0.0 ? pressing / area : 0.0; }
 };
