@@ -70,8 +70,7 @@ case $case in
     carried
     onset ;;
   lighter)
-    water -var rho_s 1800
-    density
+    water -var rho_s 1800    # no gate on the density: the bed was made by heavier grains, and rearranges
     carried
     onset ;;
   *) die "unknown case $case" ;;
