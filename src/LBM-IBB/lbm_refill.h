@@ -42,8 +42,8 @@ template <class L>
 void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
                         double drho_mean, const Vec3 &force, RefillCount &count);
 
-// Fluid nodes that spheres, and walls of the box, enclose on all sides, after the link pass; f as above. Nothing can flow
-// in or out on this lattice, though water could: left alone, such a node is pumped up or emptied by
+// Fluid nodes that spheres, and walls of the box, enclose on all sides, after the link pass; f as
+// above. Nothing can flow in or out on this lattice, though water could: left alone, such a node is pumped up or emptied by
 // the smallest motion, and presses on its spheres accordingly. It gets the equilibrium of the mean
 // density around these spheres, and of their mean velocity.
 template <class L>

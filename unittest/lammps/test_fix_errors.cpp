@@ -58,6 +58,7 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("link linear"), "'linear' is none of cli, bouzidi, halfway");
   EXPECT_IN(refusal("refill none"), "'none' is neither grad nor equilibrium");
   EXPECT_IN(refusal("average maybe"), "Expected boolean parameter instead of 'maybe'");
+  EXPECT_IN(refusal("conserve maybe"), "Expected boolean parameter instead of 'maybe'");
   EXPECT_IN(refusal("shrink -1e-5"), "shrink: -1e-05 must not be negative");
   EXPECT_IN(refusal("accel 1 2"), "accel");
   EXPECT_IN(refusal("gradp 1 2 up"), "Expected floating point parameter instead of 'up'");
@@ -65,7 +66,7 @@ TEST_F(Refusals, WordsOfTheLine)
   // all that the contract names is taken
   EXPECT_EQ(
       refusal("every 2 collision trt 0.25 link bouzidi refill equilibrium accel 0 0 1e-3 gradp "
-              "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no check 50"),
+              "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no conserve no check 50"),
       "");
   EXPECT_EQ(refusal("collision bgk link halfway refill grad average yes"), "");
 }
