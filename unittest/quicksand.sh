@@ -19,7 +19,7 @@ cd "$folder"
 # water OPTIONS...   run the example; its words go to $said
 water() {
   local file=run-$#-${*: -1}.txt
-  mpirun -np 2 "$lmp" -in in.quicksand -log none -var watch 125 "$@" > "$file" 2>&1 || { tail -n 30 "$file"; die "lmp failed: $*"; }
+  mpirun -np 2 "$lmp" -in in.quicksand -log none -var watch 100 "$@" > "$file" 2>&1 || { tail -n 30 "$file"; die "lmp failed: $*"; }
   said=$(grep -E '^(steady|quicksand|wall)' "$file")
   echo "$*: $said"
   # density range beyond the imposed one, in per cent, while the bed stands (later grains collide)
@@ -70,7 +70,8 @@ case $case in
     carried
     onset ;;
   lighter)
-    water -var rho_s 1800    # no gate on the density: the bed was made by heavier grains, and rearranges
+    water -var rho_s 1800
+    density
     carried
     onset ;;
   *) die "unknown case $case" ;;

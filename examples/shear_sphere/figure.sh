@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # figure.sh quick|full: run $LMP as often as the figure needs, in the folder of this file, and check.
+# cores: 1
 set -euo pipefail
 cd "$(dirname "$0")"
 size=${1:-quick}

@@ -55,12 +55,13 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
                         pressure_difference, 100.0 * units.density_excess(pressure_difference));
   if (grains)
     text += fmt::format(
-        "  grains: {:.4g} to {:.4g} cells per diameter; links {}, refill {}, force {}; mass that links "
-        "swallow {}\n",
+        "  grains: {:.4g} to {:.4g} cells per diameter; links {}, refill {}, force {}{}\n",
         2.0 * smallest / options.dx, 2.0 * largest / options.dx, link[(int) options.link],
         refill[(int) options.refill],
         options.average ? "mean of two fluid steps" : "of the last fluid step",
-        options.conserve ? "given back" : "lost");
+        options.link == lbm::LinkRule::HALFWAY ? ""
+            : options.conserve                 ? "; mass that links swallow given back"
+                                               : "; mass that links swallow lost");
 
   std::string absent;
   auto has = [&](bool present, const char *name) {

@@ -93,14 +93,11 @@ namespace {
           bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s));
     }
 
-    // Each is found once: with the sphere that covers its neighbour below along x, or above if a wall
-    // is below.
+    // Nodes with one fluid neighbour at most. Each is found once: with the sphere that covers its
+    // neighbour below along x, or else the one above.
     void find_pockets()
     {
       static_assert(L::Q == 19 || L::Q == 9, "neighbours are those of D3Q19 or D2Q9");
-      const auto wide = [](uint64_t b) {
-        return b | b << 1 | b >> 1;
-      };
       const bool wall_below = cover.behind(0, 0) == Cover::WALL && x0 == -1;
       const bool wall_above = cover.behind(0, 1) == Cover::WALL && at.n[0] - x0 <= 63;
       uint64_t water = ~uint64_t(0);    // bits that are not behind a wall along x
@@ -117,15 +114,26 @@ namespace {
             if (walled(1, y + dy) || walled(2, z + dz)) return uint64_t(0);
             return bits(y + dy, z + dz).negative & water;
           };
-          uint64_t with = here.equal << 1;
-          if (wall_below) with |= here.equal >> 1 & uint64_t(2);
-          uint64_t found = window() & here.negative & with & ~(fluid(0, 0) << 1 | fluid(0, 0) >> 1);
+          const uint64_t with = here.equal << 1 | (here.equal >> 1 & here.negative << 1);
+          uint64_t found = window() & here.negative & with, one = 0;
+          const auto drop_second = [&](uint64_t neighbours) {
+            found &= ~(one & neighbours);
+            one |= neighbours;
+          };
+          const auto drop_second_of_row = [&](uint64_t row) {
+            drop_second(row);
+            drop_second(row << 1);
+            drop_second(row >> 1);
+          };
           if (!found) continue;
-          found &= ~wide(fluid(-1, 0) | fluid(1, 0));
-          if constexpr (L::D == 3) {
-            found &= ~wide(fluid(0, -1) | fluid(0, 1));
-            found &= ~(fluid(-1, -1) | fluid(1, -1) | fluid(-1, 1) | fluid(1, 1));
+          drop_second(fluid(0, 0) << 1);
+          drop_second(fluid(0, 0) >> 1);
+          for (int side : {-1, 1}) {
+            drop_second_of_row(fluid(side, 0));
+            if (L::D == 3 && found) drop_second_of_row(fluid(0, side));
           }
+          for (int k = 0; L::D == 3 && found && k < 4; k++)
+            drop_second(fluid(k & 1 ? 1 : -1, k & 2 ? 1 : -1));
           for (; found; found &= found - 1)
             links.pockets.push_back(uint32_t(at.index(x0 + __builtin_ctzll(found), y, z)));
         }

@@ -8,7 +8,7 @@
 // such a pair is one Gap. If x_f' lies behind an open face, q is set to 1/2, where every rule
 // needs x_f alone.
 //
-// A fluid node without any fluid neighbour is a pocket, see fill_pockets() in lbm_refill.h.
+// A fluid node with one fluid neighbour at most is a pocket, see fill_pockets() in lbm_refill.h.
 
 #ifndef LBM_LINK_H
 #define LBM_LINK_H
@@ -50,7 +50,7 @@ struct Links {
   std::vector<double> q;
   std::size_t size = 0;    // entries in use of the arrays above
   std::vector<Gap> gaps;
-  std::vector<uint32_t> pockets;    // fluid nodes all of whose neighbours are covered or behind walls
+  std::vector<uint32_t> pockets;    // fluid nodes, all neighbours but one covered or behind walls
   std::vector<Hidden> hidden;
   std::vector<Bits> bits;    // scratch of find_links()
 

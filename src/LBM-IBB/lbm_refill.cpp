@@ -195,10 +195,16 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
   for (const Index n : pockets) {
     const Int3 p = at.node(n);
     Moments m{0.0, {}};
-    int around = 0;
+    int around = 0, arriving = 0;    // population that comes from the fluid neighbour
+    bool at_open_face = false;
     for (int i = 1; i < L::Q; i++) {
-      const int32_t s = cover.owner()[n + at.offset(L::e[i])];
-      if (s < 0) continue;    // behind a wall
+      const int(&e)[3] = L::e[i];
+      const int32_t s = cover.owner()[n + at.offset(e)];
+      if (s < 0) {
+        at_open_face = at_open_face || s == OUTSIDE;
+        if (cover.inside(p[0] + e[0], p[1] + e[1], p[2] + e[2])) arriving = opposite<L>(i);
+        continue;    // else behind a wall
+      }
       const Sphere &sphere = cover.spheres()[s];
       const Vec3 &c = cover.centre(s);
       const Vec3 u = sphere.velocity_at({p[0] - c[0], p[1] - c[1], p[2] - c[2]});
@@ -206,8 +212,14 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
       for (int d = 0; d < L::D; d++) m.u[d] += u[d];
       around++;
     }
+    if (at_open_face) continue;    // which sets the node
     m.drho /= around;
     for (double &u : m.u) u /= around;
+    if (arriving) {    // the equilibrium is linear in the density
+      const double at_rest = bare_equilibrium<L>(arriving, {0.0, m.u}, force);
+      const double slope = bare_equilibrium<L>(arriving, {1.0, m.u}, force) - at_rest;
+      m.drho = (f[arriving][n] - at_rest) / slope;
+    }
     for (int i = 0; i < L::Q; i++) f[i][n] = bare_equilibrium<L>(i, m, force);
   }
 }

@@ -42,10 +42,12 @@ template <class L>
 void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
                         double drho_mean, const Vec3 &force, RefillCount &count);
 
-// Fluid nodes that spheres, and walls of the box, enclose on all sides, after the link pass; f as
-// above. Nothing can flow in or out on this lattice, though water could: left alone, such a node is pumped up or emptied by
-// the smallest motion, and presses on its spheres accordingly. It gets the equilibrium of the mean
-// density around these spheres, and of their mean velocity.
+// Fluid nodes with no fluid neighbour or one, all others being covered or behind walls, after the link
+// pass; f as above. Little or nothing can flow in or out on this lattice, though water could: left
+// alone, such a node is pumped up or emptied by the smallest motion, and presses on its spheres
+// accordingly. It gets the equilibrium of their mean velocity and,
+//   without a fluid neighbour, of the mean density around them;
+//   with one, of the density at which that neighbour gets back what a half-way wall would return.
 template <class L>
 void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
                   const std::vector<uint32_t> &pockets, const Vec3 &force);

@@ -89,6 +89,8 @@ class Solver {
     press_apart();
     for (std::size_t s = 0; s < spheres.size(); s++) excess[spheres[s].id] = loads[s].drho();
     f = next;
+    for (std::size_t x = 0; x < nodes(); x++)
+      if (!solid(x)) fill_if_pocket(x);
     for (int d = 0; d < settings.dimension; d++)
       for (int side = 0; side < 2; side++)
         if (settings.faces[d][side].open()) open_face(d, side);
@@ -243,6 +245,7 @@ class Solver {
   void press_apart();
   void press_from_face(const Owner &mine, const Direction &outwards);
   void refill(const std::vector<Owner> &before, const std::vector<lbm::Sphere> &spheres_before);
+  void fill_if_pocket(std::size_t x);
   Real arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before);
 
   // Zou & He 1997: non-equilibrium bounce-back, then the tangential momentum put right by equal and

@@ -162,6 +162,41 @@ inline void Solver::press_from_face(const Owner &mine, const Direction &outwards
   }
 }
 
+// A node with one fluid neighbour at most: mean density and velocity of the spheres on its other sides;
+// with one, the density with which the neighbour gets back what a half-way wall would return
+inline void Solver::fill_if_pocket(std::size_t x)
+{
+  std::vector<std::size_t> fluid;    // populations that come from fluid neighbours
+  Real drho = 0.0, around = 0.0;
+  Vec u{};
+  for (std::size_t i = 0; i < dirs.size(); i++) {
+    if (dirs[i].c == Node{}) continue;
+    Node from = node(x);
+    for (int d = 0; d < 3; d++) from[d] -= dirs[i].c[d];
+    const Place there = place(from);
+    if (there == OPEN) return;
+    if (there == FLUID) fluid.push_back(i);
+    if (there != SOLID) continue;
+    const Owner &o = owner[index(from)];
+    const lbm::Sphere &sphere = spheres[o.sphere];
+    Vec arm;
+    for (int d = 0; d < 3; d++) arm[d] = o.arm[d] + dirs[i].c[d];
+    const Vec turning = cross(whole(sphere.spin), arm);
+    for (int d = 0; d < 3; d++) u[d] += sphere.velocity[d] + turning[d];
+    drho += sphere.drho;
+    around++;
+  }
+  if (fluid.size() > 1 || around == 0.0) return;
+  for (Real &component : u) component /= around;
+  Real rho = 1.0 + drho / around;
+  if (!fluid.empty()) {
+    const std::size_t i = fluid[0];
+    const Real half_force = 1.5 * dirs[i].w * dot(dirs[i].c, force);
+    rho = (at(f, x, i) + half_force) / equilibrium(i, 1.0, u);
+  }
+  set_equilibrium(x, rho, u);
+}
+
 inline void Solver::refill(const std::vector<Owner> &before,
                            const std::vector<lbm::Sphere> &spheres_before)
 {
