@@ -33,10 +33,11 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
   const bool grains = group->count(igroup) > 0 || largest > 0.0;
 
   std::string text = fmt::format(
-      "Fix lb/ibb: {} x {} x {} nodes of dx = {:.6g}, {}, collision {}\n"
+      "Fix lb/ibb: {} x {} x {} nodes of dx = {:.6g}, {}{}, collision {}\n"
       "  fluid step = {} x timestep = {:.6g}, tau = {:.5f}; Ma = 0.1 at speed {:.4g}, limit 0.3 at "
       "{:.4g}\n",
       nodes[0], nodes[1], nodes[2], options.dx, domain->dimension == 2 ? "D2Q9" : "D3Q19",
+      options.single ? " in single precision" : "",
       options.bgk ? "bgk" : fmt::format("trt, Lambda = {:.5g}", options.magic), nevery, units.dt,
       units.tau(options.nu), 0.1 * units.sound_speed(), 0.3 * units.sound_speed());
   for (int d = 0; d < domain->dimension; d++)

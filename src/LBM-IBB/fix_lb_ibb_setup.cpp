@@ -208,6 +208,7 @@ void FixLbIbb::create_fluid()
   s.dimension = domain->dimension;
   s.tau = units.tau(options.nu);
   s.bgk = options.bgk;
+  s.single = options.single;
   s.magic = options.magic;
   s.link = options.link;
   s.refill = options.refill;

@@ -72,6 +72,12 @@ void LBOptionsParser::keyword()
     if (rule != "bgk" && rule != "trt") refuse(at, "'" + rule + "' is neither bgk nor trt");
     o.bgk = rule == "bgk";
     if (!o.bgk && follows_number()) o.magic = positive("trt Lambda");
+  } else if (name == "precision") {
+    const int at = iarg;
+    const std::string precision = next("double or single");
+    if (precision != "double" && precision != "single")
+      refuse(at, "'" + precision + "' is neither double nor single");
+    o.single = precision == "single";
   } else if (name == "link") {
     const int at = iarg;
     const std::string rule = next("cli, bouzidi or halfway");
@@ -109,8 +115,8 @@ void LBOptionsParser::keyword()
     face();
   } else {
     error->all(FLERR, iarg,
-               "Fix lb/ibb: unknown keyword '{}'; known are every, collision, link, refill, "
-               "face, accel, gradp, buoyancy, shrink, average, conserve, check",
+               "Fix lb/ibb: unknown keyword '{}'; known are every, collision, precision, link, "
+               "refill, face, accel, gradp, buoyancy, shrink, average, conserve, check",
                name);
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #ifdef __linux__
 #include <sys/mman.h>
@@ -31,31 +32,32 @@ void Freed::operator()(void *p) const
   std::free(p);
 }
 
-std::unique_ptr<double[], Freed> page_aligned(std::size_t n)
+void *zeroed_pages(std::size_t bytes)
 {
   constexpr std::size_t small = 4096, huge = std::size_t(1) << 21;
-  const std::size_t bytes = std::max<std::size_t>(n, 1) * sizeof(double);
   const std::size_t page = bytes >= 8 * huge ? huge : small;
-  void *p = std::aligned_alloc(page, (bytes + page - 1) / page * page);
+  const std::size_t whole = (std::max<std::size_t>(bytes, 1) + page - 1) / page * page;
+  void *p = std::aligned_alloc(page, whole);
   if (!p) throw std::bad_alloc();
 #ifdef __linux__
   // 19 streams at once need more pages than the translation buffer holds of the small ones
-  if (page == huge) madvise(p, bytes, MADV_HUGEPAGE);
+  if (page == huge) madvise(p, whole, MADV_HUGEPAGE);
 #endif
-  std::fill_n(static_cast<double *>(p), n, 0.0);
-  return std::unique_ptr<double[], Freed>(static_cast<double *>(p));
+  std::memset(p, 0, whole);
+  return p;
 }
 
 template <class L> Block<L>::Block(const Layout &layout) : at(layout)
 {
   // Q streams that start at the same address modulo 4096 would evict each other from the cache:
   // let successive arrays start three cache lines apart.
-  constexpr Index page = 4096 / sizeof(double), line = 64 / sizeof(double);
+  constexpr Index page = 4096 / sizeof(Real), line = 64 / sizeof(Real);
   pitch = (at.size + page - 1) / page * page + 3 * line;
-  populations = page_aligned(L::Q * pitch);
+  populations.reset(static_cast<Real *>(zeroed_pages(sizeof(Real) * L::Q * pitch)));
 }
 
-template class Block<D3Q19>;
-template class Block<D2Q9>;
+#define LBM_INSTANTIATE(L) template class Block<L>;
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
+#undef LBM_INSTANTIATE
 
 }    // namespace lbm

@@ -50,16 +50,17 @@ struct Layout {
   Index nodes() const { return Index(n[0]) * n[1] * n[2]; }
 };
 
-template <class L> using Slots = std::array<double *, L::Q>;
+template <class L> using Slots = std::array<typename L::Real *, L::Q>;
 
-// aligned to memory pages, given back by free()
+// zeros, aligned to memory pages, given back by free()
 struct Freed {
   void operator()(void *p) const;
 };
-std::unique_ptr<double[], Freed> page_aligned(std::size_t n);
+void *zeroed_pages(std::size_t bytes);
 
 template <class L> class Block {
  public:
+  using Real = typename L::Real;
   explicit Block(const Layout &layout);
 
   const Layout &layout() const { return at; }
@@ -76,14 +77,14 @@ template <class L> class Block {
   }
   Slots<L> slots() const { return slots(t); }
 
-  double *array(int i) const { return populations.get() + i * pitch; }
-  double bytes() const { return sizeof(double) * double(L::Q) * double(pitch); }
+  Real *array(int i) const { return populations.get() + i * pitch; }
+  double bytes() const { return sizeof(Real) * double(L::Q) * double(pitch); }
 
  private:
   Layout at;
   Index pitch;    // distance between the arrays of two directions
   std::int64_t t = 0;
-  std::unique_ptr<double[], Freed> populations;
+  std::unique_ptr<Real[], Freed> populations;
 };
 
 }    // namespace lbm

@@ -41,12 +41,13 @@ template <class L, int I, class V> LBM_INLINE inline V along(const V (&v)[3])
 // Two-relaxation-time rule (Ginzburg, Verhaeghe & d'Humieres 2008) with Guo's forcing (2002),
 // split into its even and odd parts. BGK (eq. 9) is the same with both rates equal.
 template <class L> struct Trt {
-  double even, odd;    // relaxation rates 1/tau+ and 1/tau-
+  using Real = typename L::Real;
+  Real even, odd;    // relaxation rates 1/tau+ and 1/tau-
 
-  static Trt bgk(double tau) { return {1.0 / tau, 1.0 / tau}; }
+  static Trt bgk(double tau) { return {Real(1.0 / tau), Real(1.0 / tau)}; }
   static Trt trt(double tau, double magic)
   {
-    return {1.0 / tau, 1.0 / (0.5 + magic / (tau - 0.5))};
+    return {Real(1.0 / tau), Real(1.0 / (0.5 + magic / (tau - 0.5)))};
   }
 
   template <class V, class Force>
@@ -62,37 +63,38 @@ template <class L> struct Trt {
         if constexpr (L::e[i][d] < 0) u[d] = u[d] - odd_part;
       });
     });
-    const V rho = drho + 1.0;
-    const V per_rho = 1.0 / rho;
+    const V rho = drho + Real(1.0);
+    const V per_rho = Real(1.0) / rho;
     unroll<3>([&](auto d) LBM_INLINE {
       if constexpr (d < L::D) {
-        if constexpr (Force::present) u[d] = u[d] + 0.5 * force.F[d];
+        if constexpr (Force::present) u[d] = u[d] + Real(0.5 * force.F[d]);
         j[d] = u[d];
         u[d] = u[d] * per_rho;
         usq = usq + j[d] * u[d];
-        if constexpr (Force::present) uF = uF + force.F[d] * u[d];
+        if constexpr (Force::present) uF = uF + Real(force.F[d]) * u[d];
       }
     });
-    const double Fe = 1.0 - 0.5 * even, Fo = 1.0 - 0.5 * odd;
+    const Real Fe = Real(1.0) - Real(0.5) * even, Fo = Real(1.0) - Real(0.5) * odd;
 
     // part of the even equilibrium that all directions share, per weight
-    const V base = drho - 1.5 * usq;
-    V rest = even * (L::w[0] * base - f[0]);
-    if constexpr (Force::present) rest = rest - (Fe * L::w[0] * 3.0) * uF;
+    const V base = drho - Real(1.5) * usq;
+    V rest = even * (Real(L::w[0]) * base - f[0]);
+    if constexpr (Force::present) rest = rest - (Fe * Real(L::w[0] * 3.0)) * uF;
     f[0] = f[0] + rest;
 
     unroll<L::P>([&](auto p) LBM_INLINE {
       constexpr int i = p + 1, o = i + L::P;
+      constexpr Real w = L::w[i];
       const V ej = along<L, i>(j), eu = along<L, i>(u);
-      const V even_eq = L::w[i] * (base + 4.5 * (ej * eu));
-      const V odd_eq = (3.0 * L::w[i]) * ej;
-      V de = even * (even_eq - 0.5 * (f[i] + f[o]));
-      V dod = odd * (odd_eq - 0.5 * (f[i] - f[o]));
+      const V even_eq = w * (base + Real(4.5) * (ej * eu));
+      const V odd_eq = Real(3.0 * L::w[i]) * ej;
+      V de = even * (even_eq - Real(0.5) * (f[i] + f[o]));
+      V dod = odd * (odd_eq - Real(0.5) * (f[i] - f[o]));
       if constexpr (Force::present) {
-        const double eF =
-            L::e[i][0] * force.F[0] + L::e[i][1] * force.F[1] + L::e[i][2] * force.F[2];
-        de = de + (Fe * L::w[i]) * (9.0 * eF * eu - 3.0 * uF);
-        dod = dod + Fo * L::w[i] * 3.0 * eF;
+        const Real eF =
+            Real(L::e[i][0] * force.F[0] + L::e[i][1] * force.F[1] + L::e[i][2] * force.F[2]);
+        de = de + (Fe * w) * (Real(9.0) * eF * eu - Real(3.0) * uF);
+        dod = dod + Fo * w * Real(3.0) * eF;
       }
       f[i] = f[i] + (de + dod);
       f[o] = f[o] + (de - dod);

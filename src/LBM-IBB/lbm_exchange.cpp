@@ -91,8 +91,8 @@ namespace {
 
   // the slots that a link along i uses, see lbm_block.h: each is one address per node
   template <class L> struct LinkSlots {
-    const double *r1, *r2, *r3;
-    double *w;
+    const typename L::Real *r1, *r2, *r3;
+    typename L::Real *w;
     LinkSlots(const Layout &at, const Slots<L> &f, int i)
     {
       const int o = opposite<L>(i);
@@ -119,10 +119,11 @@ namespace {
     uint32_t n[W];
     store(n, index<W>(at, place));
     const Coefficients<V> c = Rule::template at<V>(q);
-    const V out = gather<W>(slot.r1, n);
+    const V out = convert<V>(gather<W>(slot.r1, n));
     V back = c.c1 * out;
     if constexpr (Rule::interpolated)
-      back = back + c.c2 * gather<W>(slot.r2, n) + c.c3 * gather<W>(slot.r3, n);
+      back = back + c.c2 * convert<V>(gather<W>(slot.r2, n)) +
+          c.c3 * convert<V>(gather<W>(slot.r3, n));
     if constexpr (moving) {
       const Wall<V> wall(sphere, e, arm);
       const V rho = 1.0 + convert<V>(gather<W>(drho, n));
@@ -242,17 +243,17 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }
 
-#define LBM_INSTANTIATE(L, Rule)                                                                \
+#define LBM_INSTANTIATE_RULE(L, Rule)                                                           \
   template void bounce_back<L, Rule, false>(const Layout &, const Slots<L> &, const Cover &,    \
                                             const Links &, const float *, std::vector<Load> &); \
   template void bounce_back<L, Rule, true>(const Layout &, const Slots<L> &, const Cover &,     \
                                            const Links &, const float *, std::vector<Load> &);
-LBM_INSTANTIATE(D3Q19, Halfway)
-LBM_INSTANTIATE(D3Q19, Bouzidi)
-LBM_INSTANTIATE(D3Q19, Cli)
-LBM_INSTANTIATE(D2Q9, Halfway)
-LBM_INSTANTIATE(D2Q9, Bouzidi)
-LBM_INSTANTIATE(D2Q9, Cli)
+#define LBM_INSTANTIATE(L)         \
+  LBM_INSTANTIATE_RULE(L, Halfway) \
+  LBM_INSTANTIATE_RULE(L, Bouzidi) \
+  LBM_INSTANTIATE_RULE(L, Cli)
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
+#undef LBM_INSTANTIATE_RULE
 
 }    // namespace lbm

@@ -29,15 +29,15 @@ void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, co
             if (L::e[i][d] == (side == 0 ? -1 : 1)) g(i, d, side);
   };
   for_each_direction([&](int i, int d, int side) {
-    const double *out = f[i] + at.offset(L::e[i]);
-    double *back = f[opposite<L>(i)];
+    const auto *out = f[i] + at.offset(L::e[i]);
+    auto *back = f[opposite<L>(i)];
     for_each_node(at, d, side, [&](Index n, const Int3 &) {
       back[n] = out[n];
     });
   });
   for_each_direction([&](int i, int d, int side) {
     const double wall = 6.0 * L::w[i] * dot(L::e[i], faces[d][side].u);
-    double *back = f[opposite<L>(i)];
+    auto *back = f[opposite<L>(i)];
     if (wall != 0.0)
       for_each_node(at, d, side, [&](Index n, const Int3 &) {
         back[n] -= wall;
@@ -100,8 +100,7 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
                                    const AtEnd &);                                     \
   template void open_face<L>(const Layout &, const Slots<L> &, int, int, const Face &, \
                              const Faces &, const AtEnd &, const int32_t *, const Vec3 &);
-LBM_INSTANTIATE(D3Q19)
-LBM_INSTANTIATE(D2Q9)
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 
 }    // namespace lbm

@@ -52,14 +52,15 @@ std::size_t Halo<L>::for_each_crossing(int d, int side, bool ghosts, F &&f) cons
 // values that cross the face on this side of the block; forwards they come from the neighbour there
 template <class L> void Halo<L>::along(const Block<L> &block, int d, int side, bool forwards)
 {
-  auto copy = [&](double *buffer, bool ghosts, bool pack) {
+  using Real = typename L::Real;
+  auto copy = [&](Real *buffer, bool ghosts, bool pack) {
     return for_each_crossing(d, side, ghosts, [&](int k, const Box &box) {
-      double *array = block.array(k);
+      Real *array = block.array(k);
       const int length = box.hi[0] - box.lo[0] + 1;
       for (int z = box.lo[2]; z <= box.hi[2]; z++)
         for (int y = box.lo[1]; y <= box.hi[1]; y++, buffer += length) {
-          double *row = array + at_.index(box.lo[0], y, z);
-          double *from = pack ? row : buffer, *to = pack ? buffer : row;
+          Real *row = array + at_.index(box.lo[0], y, z);
+          Real *from = pack ? row : buffer, *to = pack ? buffer : row;
           if (length == 1)    // faces along x: no call for a single number
             *to = *from;
           else
@@ -81,7 +82,8 @@ template <class L> void Halo<L>::exchange(const Block<L> &block)
     for (int side = 0; side < 2; side++) along(block, forwards ? p : L::D - 1 - p, side, forwards);
 }
 
-template class Halo<D3Q19>;
-template class Halo<D2Q9>;
+#define LBM_INSTANTIATE(L) template class Halo<L>;
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
+#undef LBM_INSTANTIATE
 
 }    // namespace lbm

@@ -32,7 +32,7 @@ template <class L> class Halo {
   };
   Layout at_;
   Neighbours &neighbours_;
-  std::vector<double> send_, receive_;
+  std::vector<typename L::Real> send_, receive_;
 
   // nodes of array k that cross the face: ghosts outside it, or the layer they are copies of
   Box region(int k, int d, int side, bool ghosts) const;

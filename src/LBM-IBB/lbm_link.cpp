@@ -290,7 +290,9 @@ void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &link
   Finder<L>(at, cover, s, links).find();
 }
 
-template void find_links<D3Q19>(const Layout &, const Cover &, std::size_t, Links &);
-template void find_links<D2Q9>(const Layout &, const Cover &, std::size_t, Links &);
+#define LBM_INSTANTIATE(L) \
+  template void find_links<L>(const Layout &, const Cover &, std::size_t, Links &);
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
+#undef LBM_INSTANTIATE
 
 }    // namespace lbm

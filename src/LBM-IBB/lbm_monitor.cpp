@@ -64,7 +64,9 @@ void reduce(Survey &s, Neighbours &neighbours)
   if (s.fluid_nodes == 0.0) s.drho_min.value = s.drho_max.value = 0.0;
 }
 
-template Survey survey<D3Q19>(const Layout &, const Slots<D3Q19> &, const int32_t *, const Vec3 &);
-template Survey survey<D2Q9>(const Layout &, const Slots<D2Q9> &, const int32_t *, const Vec3 &);
+#define LBM_INSTANTIATE(L) \
+  template Survey survey<L>(const Layout &, const Slots<L> &, const int32_t *, const Vec3 &);
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
+#undef LBM_INSTANTIATE
 
 }    // namespace lbm

@@ -3,14 +3,16 @@
 #include "lbm_neighbours_mpi.h"
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
 #include <stdexcept>
 
 namespace lbm {
 
-void Alone::shift(int d, int, const double *send, std::size_t nsend, double *receive,
-                  std::size_t nreceive)
+void Alone::shift_words(int d, int, const void *send, std::size_t nsend, void *receive,
+                        std::size_t nreceive)
 {
-  if (periodic_[d]) std::copy_n(send, std::min(nsend, nreceive), receive);
+  if (periodic_[d]) std::memcpy(receive, send, 4 * std::min(nsend, nreceive));
 }
 
 MpiNeighbours::MpiNeighbours(MPI_Comm comm, const std::array<std::array<int, 2>, 3> &rank) :
@@ -19,19 +21,19 @@ MpiNeighbours::MpiNeighbours(MPI_Comm comm, const std::array<std::array<int, 2>,
   MPI_Comm_rank(comm, &me_);
 }
 
-void MpiNeighbours::shift(int d, int side, const double *send, std::size_t nsend, double *receive,
-                          std::size_t nreceive)
+void MpiNeighbours::shift_words(int d, int side, const void *send, std::size_t nsend, void *receive,
+                                std::size_t nreceive)
 {
   const int to = rank_[d][side], from = rank_[d][1 - side];
   if (to == me_ && from == me_) {
-    std::copy_n(send, std::min(nsend, nreceive), receive);
+    std::memcpy(receive, send, 4 * std::min(nsend, nreceive));
     return;
   }
-  constexpr std::size_t limit = 1u << 30;
+  constexpr std::size_t limit = std::numeric_limits<int>::max();
   if (nsend > limit || nreceive > limit)
-    throw std::length_error("lattice too large for one rank: halo message exceeds 2^30 numbers");
-  MPI_Sendrecv(send, int(nsend), MPI_DOUBLE, to, 2 * d + side, receive, int(nreceive), MPI_DOUBLE,
-               from, 2 * d + side, comm_, MPI_STATUS_IGNORE);
+    throw std::length_error("lattice too large for one rank: halo message exceeds 8 GiB");
+  MPI_Sendrecv(send, int(nsend), MPI_UINT32_T, to, 2 * d + side, receive, int(nreceive),
+               MPI_UINT32_T, from, 2 * d + side, comm_, MPI_STATUS_IGNORE);
 }
 
 void MpiNeighbours::sum(double *values, int n)

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace lbm {
 
@@ -18,12 +19,22 @@ class Neighbours {
 
   // Send to the neighbour on this side, and receive from the one on the other side what it sends.
   // Where there is no neighbour nothing is sent or received. All blocks of a row call it together.
-  virtual void shift(int d, int side, const double *send, std::size_t nsend, double *receive,
-                     std::size_t nreceive) = 0;
+  // Numbers have 4 bytes or 8.
+  template <class T>
+  void shift(int d, int side, const T *send, std::size_t nsend, T *receive, std::size_t nreceive)
+  {
+    static_assert(std::is_arithmetic_v<T> && sizeof(T) % 4 == 0);
+    shift_words(d, side, send, nsend * sizeof(T) / 4, receive, nreceive * sizeof(T) / 4);
+  }
 
   // over all blocks, in place
   virtual void sum(double *values, int n) = 0;
   virtual void max(double *values, int n) = 0;
+
+ protected:
+  // sizes in words of 4 bytes
+  virtual void shift_words(int d, int side, const void *send, std::size_t nsend, void *receive,
+                           std::size_t nreceive) = 0;
 };
 
 // one block that is its own neighbour in periodic directions
@@ -31,12 +42,12 @@ class Alone : public Neighbours {
  public:
   explicit Alone(const std::array<bool, 3> &periodic) : periodic_(periodic) {}
   bool exists(int d, int) const override { return periodic_[d]; }
-  void shift(int d, int side, const double *send, std::size_t nsend, double *receive,
-             std::size_t nreceive) override;
   void sum(double *, int) override {}
   void max(double *, int) override {}
 
  private:
+  void shift_words(int d, int side, const void *send, std::size_t nsend, void *receive,
+                   std::size_t nreceive) override;
   std::array<bool, 3> periodic_;
 };
 

@@ -18,12 +18,12 @@ class MpiNeighbours : public Neighbours {
   // rank[d][side] is the neighbouring rank, MPI_PROC_NULL where the domain ends
   MpiNeighbours(MPI_Comm comm, const std::array<std::array<int, 2>, 3> &rank);
   bool exists(int d, int side) const override { return rank_[d][side] != MPI_PROC_NULL; }
-  void shift(int d, int side, const double *send, std::size_t nsend, double *receive,
-             std::size_t nreceive) override;
   void sum(double *values, int n) override;
   void max(double *values, int n) override;
 
  private:
+  void shift_words(int d, int side, const void *send, std::size_t nsend, void *receive,
+                   std::size_t nreceive) override;
   MPI_Comm comm_;
   int me_;
   std::array<std::array<int, 2>, 3> rank_;

@@ -86,9 +86,10 @@ double volume_below(double z, double r, int dimension)
   return M_PI * r * r * r * (s - s * s * s / 3.0 + 2.0 / 3.0);
 }
 
-template Planes planes<D3Q19>(const Layout &, const Slots<D3Q19> &, const int32_t *, const Vec3 &,
-                              int, int);
-template Planes planes<D2Q9>(const Layout &, const Slots<D2Q9> &, const int32_t *, const Vec3 &,
-                             int, int);
+#define LBM_INSTANTIATE(L)                                                                        \
+  template Planes planes<L>(const Layout &, const Slots<L> &, const int32_t *, const Vec3 &, int, \
+                            int);
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
+#undef LBM_INSTANTIATE
 
 }    // namespace lbm

@@ -233,8 +233,7 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
                                       RefillCount &);                                              \
   template void fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,                   \
                                 const std::vector<uint32_t> &, const Vec3 &);
-LBM_INSTANTIATE(D3Q19)
-LBM_INSTANTIATE(D2Q9)
+LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 
 }    // namespace lbm

@@ -2,7 +2,7 @@
 // The one place that knows how wide the machine is: packs of numbers as compiler vector types
 // (GCC and Clang), and loops unrolled at compile time.
 //
-// A Pack<W> is loaded from and stored to any address; Pack<1> is a plain double, so the same kernel
+// A Pack<W> is loaded from and stored to any address; Pack<1> is a plain number, so the same kernel
 // serves for whole packs and for the tail of a row.
 
 #ifndef LBM_SIMD_H
@@ -44,12 +44,14 @@ namespace detail {
   }
 }    // namespace detail
 
-template <int W> using Pack = typename detail::Vector<double, W>::type;
+template <int W, class Real = double> using Pack = typename detail::Vector<Real, W>::type;
 template <int W> using PackInt = typename detail::Vector<int32_t, W>::type;
 template <int W> using PackFloat = typename detail::Vector<float, W>::type;
 template <int W> using PackShort = typename detail::Vector<int16_t, W>::type;
 template <int W> using PackUnsigned = typename detail::Vector<uint32_t, W>::type;
-template <int W> using PackMask = typename detail::Vector<int64_t, W>::type;
+
+// numbers in a pack as wide as the machine
+template <class Real> constexpr int width = SIMD_WIDTH *int(sizeof(double) / sizeof(Real));
 
 // f(0), f(1), ... f(N-1), each with its index known at compile time
 template <int N, class F> LBM_INLINE inline void unroll(F &&f)
@@ -70,13 +72,14 @@ template <class V, class T> LBM_INLINE inline void store(T *p, const V &v)
 }
 
 // v where owner < 0 (fluid), else 0
-template <int W> LBM_INLINE inline Pack<W> where_fluid(const PackInt<W> &owner, const Pack<W> &v)
+template <int W, class V> LBM_INLINE inline V where_fluid(const PackInt<W> &owner, const V &v)
 {
   if constexpr (W == 1) {
-    return owner < 0 ? v : 0.0;
+    return owner < 0 ? v : V{};
   } else {
-    const PackMask<W> fluid = __builtin_convertvector(owner < 0, PackMask<W>);
-    return fluid ? v : Pack<W>{};
+    using Mask = Pack<W, std::conditional_t<sizeof(V) == W * sizeof(float), int32_t, int64_t>>;
+    const Mask fluid = __builtin_convertvector(owner < 0, Mask);
+    return fluid ? v : V{};
   }
 }
 
@@ -100,12 +103,12 @@ template <int W, class T> LBM_INLINE inline auto gather(const T *p, const uint32
   }
 }
 
-template <int W> LBM_INLINE inline void scatter(double *p, const uint32_t *n, const Pack<W> &v)
+template <int W, class T> LBM_INLINE inline void scatter(T *p, const uint32_t *n, const Pack<W> &v)
 {
   if constexpr (W == 1)
-    p[*n] = v;
+    p[*n] = T(v);
   else
-    for (int k = 0; k < W; k++) p[n[k]] = v[k];
+    for (int k = 0; k < W; k++) p[n[k]] = T(v[k]);
 }
 
 // Bits k = 0..63 of p[k] == value (or p[k] < 0). Reads 64 numbers.

@@ -261,6 +261,15 @@ namespace {
     }
   };
 
+  template <class L>
+  std::unique_ptr<Fluid> in_precision(const Settings &settings, const Layout &at,
+                                      const Int3 &global, Neighbours &neighbours)
+  {
+    if (settings.single)
+      return std::make_unique<FluidOn<InSingle<L>>>(settings, at, global, neighbours);
+    return std::make_unique<FluidOn<L>>(settings, at, global, neighbours);
+  }
+
 }    // namespace
 
 std::unique_ptr<Fluid> Fluid::create(const Settings &settings, const Int3 &lo, const Int3 &n,
@@ -275,9 +284,8 @@ std::unique_ptr<Fluid> Fluid::create(const Settings &settings, const Int3 &lo, c
   const Layout at(lo, n, settings.dimension);
   if (at.size > Index(std::numeric_limits<uint32_t>::max()))
     throw std::invalid_argument("more than 2^32 lattice nodes on one rank");
-  if (settings.dimension == 2)
-    return std::make_unique<FluidOn<D2Q9>>(settings, at, global, neighbours);
-  return std::make_unique<FluidOn<D3Q19>>(settings, at, global, neighbours);
+  if (settings.dimension == 2) return in_precision<D2Q9>(settings, at, global, neighbours);
+  return in_precision<D3Q19>(settings, at, global, neighbours);
 }
 
 }    // namespace lbm

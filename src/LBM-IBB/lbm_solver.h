@@ -24,6 +24,7 @@ enum class LinkRule { HALFWAY, BOUZIDI, CLI };
 
 struct Settings {
   int dimension = 3;
+  bool single = false;          // populations in single precision
   double tau = 0.8;             // relaxation time of the viscosity, > 1/2
   bool bgk = false;             // else two relaxation times
   double magic = 3.0 / 16.0;    // Lambda = (tau+ - 1/2)(tau- - 1/2)

@@ -17,7 +17,7 @@ struct Sphere {
   Vec3 centre;        // snapped by snap(), so that all images cover exactly the same nodes
   double radius;
   Vec3 velocity;
-  Vec3 spin;          // angular velocity
+  Vec3 spin;    // angular velocity
   // mean density excess around it: of its Load in the former step, summed over ranks and images
   double drho = 0.0;
   // mass to give back, shared by its links as their weights: see refund()

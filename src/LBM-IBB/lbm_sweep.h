@@ -34,7 +34,7 @@ template <class L, int W, class Collision, class Force, class Solid>
 LBM_INLINE inline void update_nodes(const Slots<L> &p, Index n, const Collision &collide,
                                     const Force &force, const Solid &solid)
 {
-  using V = Pack<W>;
+  using V = Pack<W, typename L::Real>;
   V f[L::Q];
   unroll<L::Q>([&](auto i) LBM_INLINE {
     f[i] = load<V>(p[i] + n);
@@ -57,12 +57,12 @@ void sweep(const Block<L> &block, const Collision &collide, const Force &force, 
 {
   const Layout &at = block.layout();
   const Slots<L> p = block.slots();
+  constexpr int W = width<typename L::Real>;
   for (int z = 0; z < at.n[2]; z++)
     for (int y = 0; y < at.n[1]; y++) {
       const Index row = at.index(0, y, z), end = row + at.n[0];
       Index n = row;
-      for (; n + SIMD_WIDTH <= end; n += SIMD_WIDTH)
-        update_nodes<L, SIMD_WIDTH>(p, n, collide, force, solid);
+      for (; n + W <= end; n += W) update_nodes<L, W>(p, n, collide, force, solid);
       for (; n < end; n++) update_nodes<L, 1>(p, n, collide, force, solid);
     }
 }

@@ -29,9 +29,11 @@ std::vector<Sphere> bed(double velocity)
   return list;
 }
 
-double bytes_a_node(double velocity, int steps)
+double bytes_a_node(double velocity, int steps, bool single = false)
 {
-  Box box({}, {N, N, N});
+  Settings settings;
+  settings.single = single;
+  Box box(settings, {N, N, N});
   for (int t = 0; t < steps; t++) box.step(drifted(bed(velocity), t));
   return box.fluid->bytes() / std::pow(N, 3);
 }
@@ -45,6 +47,12 @@ TEST(Memory, OfADenseBedStaysBelow200BytesANode)
 {
   EXPECT_LT(bytes_a_node(0.0, 2), 200.0);
   EXPECT_LT(bytes_a_node(0.01, 3), 200.0);
+}
+
+TEST(Memory, OfADenseBedInSinglePrecisionStaysBelow120BytesANode)
+{
+  EXPECT_LT(bytes_a_node(0.0, 2, true), 120.0);
+  EXPECT_LT(bytes_a_node(0.01, 3, true), 120.0);
 }
 
 }    // namespace

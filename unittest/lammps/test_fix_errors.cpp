@@ -56,6 +56,7 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("collision trt -0.2"), "trt Lambda = -0.2 must be larger than 0");
   EXPECT_IN(refusal("collision bgk 0.2"), "unknown keyword '0.2'");
   EXPECT_IN(refusal("link linear"), "'linear' is none of cli, bouzidi, halfway");
+  EXPECT_IN(refusal("precision half"), "'half' is neither double nor single");
   EXPECT_IN(refusal("refill none"), "'none' is neither grad nor equilibrium");
   EXPECT_IN(refusal("average maybe"), "Expected boolean parameter instead of 'maybe'");
   EXPECT_IN(refusal("conserve maybe"), "Expected boolean parameter instead of 'maybe'");
@@ -66,9 +67,9 @@ TEST_F(Refusals, WordsOfTheLine)
   // all that the contract names is taken
   EXPECT_EQ(
       refusal("every 2 collision trt 0.25 link bouzidi refill equilibrium accel 0 0 1e-3 gradp "
-              "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no conserve no check 50"),
+              "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no conserve no check 50 precision single"),
       "");
-  EXPECT_EQ(refusal("collision bgk link halfway refill grad average yes"), "");
+  EXPECT_EQ(refusal("collision bgk link halfway refill grad average yes precision double"), "");
 }
 
 TEST_F(Refusals, VariablesOfTheWrongStyle)

@@ -64,6 +64,27 @@ TEST_F(Physics, MassOfAPeriodicBedIsConserved)
   EXPECT_LT(drift("conserve no link halfway"), 1e-12);
 }
 
+// the same flow to the digits that single precision has, in half the memory
+TEST_F(Physics, SinglePrecision)
+{
+  Triple load[2], u[2];
+  for (int single = 0; single < 2; single++) {
+    start();
+    script(box({12, 11, 10}) + grain(1, {5.3, 6.1, 4.9}, 3.6) +
+           fluid(std::string("accel 2e-3 -1e-3 5e-4 precision ") + (single ? "single" : "double")) +
+           frozen() + run(500));
+    for (int d = 0; d < 3; d++) {
+      load[single][d] = force(1)[d];
+      u[single][d] = out(9 + d);
+    }
+  }
+  for (int d = 0; d < 3; d++) {
+    EXPECT_NEAR(load[1][d], load[0][d], 3e-6 * std::fabs(load[0][0]));
+    EXPECT_NEAR(u[1][d], u[0][d], 3e-6 * std::fabs(u[0][0]));
+    EXPECT_NE(load[1][d], load[0][d]);
+  }
+}
+
 TEST_F(Physics, SteadyForceIsTheDrivingForce)
 {
   const Triple a{2.0e-3, -1.0e-3, 5.0e-4};

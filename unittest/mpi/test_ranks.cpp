@@ -72,6 +72,7 @@ struct Scene {
 // arithmetic of compilers for packs and for single numbers, may differ in the last digit
 void same_on_every_brick(const Scene &scene)
 {
+  const double close = scene.settings.single ? 1e-7 : 1e-13;
   for (const Int3 &brick : bricks(scene.settings.dimension, scene.n)) {
     scene::Box one(scene.settings, scene.n, scene.force);
     const Part part = part_of(brick, scene.n, scene.settings);
@@ -111,8 +112,8 @@ void same_on_every_brick(const Scene &scene)
         drho[s] = around[2 * s + 1] > 0.0 ? around[2 * s] / around[2 * s + 1] : 0.0;
       for (std::size_t s = 0; s < grains.size(); s++)
         for (int d = 0; d < 3; d++) {
-          ASSERT_NEAR(loads[6 * s + d], one.loads[s].force[d], 1e-13) << where << " step " << t;
-          ASSERT_NEAR(loads[6 * s + 3 + d], one.loads[s].torque[d], 5e-13)
+          ASSERT_NEAR(loads[6 * s + d], one.loads[s].force[d], close) << where << " step " << t;
+          ASSERT_NEAR(loads[6 * s + 3 + d], one.loads[s].torque[d], 5 * close)
               << where << " step " << t;
         }
       double worst = 0.0;    // agreed upon, so that all ranks stop together
@@ -128,7 +129,7 @@ void same_on_every_brick(const Scene &scene)
               if (!(std::abs(difference) <= worst)) worst = std::abs(difference);
           }
       neighbours.max(&worst, 1);
-      ASSERT_LT(worst, 1e-13) << where << " step " << t;
+      ASSERT_LT(worst, close) << where << " step " << t;
       double counts[] = {fluid->links(), fluid->gaps(), double(fluid->refilled().grad),
                          double(fluid->refilled().equilibrium), double(fluid->refilled().rest)};
       neighbours.sum(counts, 5);
@@ -141,11 +142,11 @@ void same_on_every_brick(const Scene &scene)
     reduce(whole, neighbours);
     const Survey survey = one.fluid->survey();
     EXPECT_EQ(whole.fluid_nodes, survey.fluid_nodes);
-    EXPECT_NEAR(whole.mass, survey.mass, 1e-13 * survey.mass);
-    for (int d = 0; d < 3; d++) EXPECT_NEAR(whole.momentum[d], survey.momentum[d], 1e-11);
-    EXPECT_NEAR(whole.speed.value, survey.speed.value, 1e-13);
-    EXPECT_NEAR(whole.drho_min.value, survey.drho_min.value, 1e-13);
-    EXPECT_NEAR(whole.drho_max.value, survey.drho_max.value, 1e-13);
+    EXPECT_NEAR(whole.mass, survey.mass, close * survey.mass);
+    for (int d = 0; d < 3; d++) EXPECT_NEAR(whole.momentum[d], survey.momentum[d], 100 * close);
+    EXPECT_NEAR(whole.speed.value, survey.speed.value, close);
+    EXPECT_NEAR(whole.drho_min.value, survey.drho_min.value, close);
+    EXPECT_NEAR(whole.drho_max.value, survey.drho_max.value, close);
     EXPECT_FALSE(whole.bad);
   }
 }
@@ -244,6 +245,17 @@ TEST(Ranks, ThinBlocks)
   s.force = {1e-4, 0.0, 2e-4};
   s.grains = {scene::sphere(1, {1.2, 3.3, 2.1}, 1.6, {0.05, 0.11, -0.04})};
   s.steps = 60;
+  same_on_every_brick(s);
+}
+
+TEST(Ranks, SinglePrecision)
+{
+  Scene s;
+  s.settings.single = true;
+  s.n = {17, 12, 13};
+  s.force = {1e-4, 0.0, 2e-4};
+  s.grains = crowd(s.n, 3, 9, 5);
+  s.steps = 50;
   same_on_every_brick(s);
 }
 
