@@ -21,9 +21,11 @@ class MpiNeighbours : public Neighbours {
   void sum(double *values, int n) override;
   void max(double *values, int n) override;
 
- private:
+ protected:
   void shift_words(int d, int side, const void *send, std::size_t nsend, void *receive,
                    std::size_t nreceive) override;
+
+ private:
   MPI_Comm comm_;
   int me_;
   std::array<std::array<int, 2>, 3> rank_;
