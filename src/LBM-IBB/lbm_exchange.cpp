@@ -4,6 +4,9 @@
 
 #include "lbm_bounce_back.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace lbm {
 namespace {
 
@@ -139,8 +142,22 @@ namespace {
     scatter<W>(slot.w, n, back);
   }
 
+  // e.(u - u') of two walls in as much as they approach each other: along the mean of their normals,
+  // which point along the arms
+  inline double approach(const Vec3 (&u)[2], const double (&arm)[2][3], const int (&e)[3])
+  {
+    Vec3 n;
+    const double length[2] = {std::hypot(arm[0][0], arm[0][1], arm[0][2]),
+                              std::hypot(arm[1][0], arm[1][1], arm[1][2])};
+    for (int d = 0; d < 3; d++) n[d] = arm[0][d] / length[0] - arm[1][d] / length[1];
+    const double nn = dot(n, n), along = dot(n, u[0]) - dot(n, u[1]);
+    return nn > 0.0 ? dot(e, n) * along / nn : 0.0;
+  }
+
   // Two links of one node that need each other's result: with f_o and f_i unknown,
   //     f_o = A + c2 f_i,  f_i = B + c2' f_o,  each rule's x_f' being the other's wall
+  // Walls that approach each other are taken half-way: they displace what they should, while the rules
+  // would say what happens in a channel of width q + q' without ends, by 1/(q + q') more.
   template <class L, class Rule, bool moving>
   void close_gap(const Layout &at, const Slots<L> &f, const Cover &cover, const Gap &gap,
                  const float *drho, std::vector<Load> &loads)
@@ -155,7 +172,8 @@ namespace {
       for (double &k : q) k *= GAP_MIN / room;
 
     const int32_t owner[2] = {gap.ahead, gap.behind};
-    double known[2], c2[2], back[2], arm[2][3], pushed[2] = {0.0, 0.0};
+    double known[2], c2[2], c4[2], back[2], arm[2][3], pushed[2] = {0.0, 0.0};
+    Vec3 velocity[2];
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       const Sphere &sphere = cover.spheres()[owner[k]];
@@ -165,12 +183,17 @@ namespace {
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
       if constexpr (moving) {
-        pushed[k] = 3.0 * L::w[i] * (1.0 + drho[n]) * Wall<double>(sphere, e, arm[k]).eu;
-        known[k] -= c.c4 * pushed[k];
+        const Wall<double> wall(sphere, e, arm[k]);
+        std::copy_n(wall.u, 3, velocity[k].begin());
+        pushed[k] = 3.0 * L::w[i] * (1.0 + drho[n]) * wall.eu;
+        c4[k] = c.c4;
       }
     }
-    const double D = 1.0 / (1.0 - c2[0] * c2[1]);
-    for (int k = 0; k < 2; k++) back[k] = (known[k] + c2[k] * known[1 - k]) * D;
+    const double D = 1.0 / (1.0 - c2[0] * c2[1]),
+                 squeezed = moving ? 1.5 * L::w[i] * (1.0 + drho[n]) * approach(velocity, arm, L::e[i]) : 0.0;
+    for (int k = 0; moving && k < 2; k++) known[k] -= c4[k] * (pushed[k] - squeezed);
+    for (int k = 0; k < 2; k++)
+      back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
     double swallowed[2];
     for (int k = 0; k < 2; k++) {
       swallowed[k] = out[k] - back[k] - 2.0 * pushed[k];

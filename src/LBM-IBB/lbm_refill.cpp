@@ -215,10 +215,10 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
     if (at_open_face) continue;    // which sets the node
     m.drho /= around;
     for (double &u : m.u) u /= around;
-    if (arriving) {    // the equilibrium is linear in the density
-      const double at_rest = bare_equilibrium<L>(arriving, {0.0, m.u}, force);
-      const double slope = bare_equilibrium<L>(arriving, {1.0, m.u}, force) - at_rest;
-      m.drho = (f[arriving][n] - at_rest) / slope;
+    if (arriving) {    // what the node held, less what it sent there, and what came from there
+      const int sent = opposite<L>(arriving);
+      m.drho = f[arriving][n] - f[sent][n + at.offset(L::e[sent])];
+      for (int i = 0; i < L::Q; i++) m.drho += f[i][n + at.offset(L::e[i])];
     }
     for (int i = 0; i < L::Q; i++) f[i][n] = bare_equilibrium<L>(i, m, force);
   }

@@ -47,7 +47,7 @@ void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vecto
 // alone, such a node is pumped up or emptied by the smallest motion, and presses on its spheres
 // accordingly. It gets the equilibrium of their mean velocity and,
 //   without a fluid neighbour, of the mean density around them;
-//   with one, of the density at which that neighbour gets back what a half-way wall would return.
+//   with one, of the mass it had and has exchanged with that neighbour.
 template <class L>
 void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
                   const std::vector<uint32_t> &pockets, const Vec3 &force);

@@ -239,7 +239,9 @@ class Solver {
   struct Rule {
     Real known, unknown;
   };
-  Rule rule(std::size_t x, int i, const Cut &cut) const;
+  Cut approach(const Cut &one, const Cut &other) const;
+  Real push(std::size_t x, int i, const Cut &cut) const;
+  Rule rule(std::size_t x, int i, const Cut &cut, Real m) const;
   Real from_sphere(std::size_t x, int i);
   void add_load(const Cut &cut, int i, Real out, Real back);
   void press_apart();

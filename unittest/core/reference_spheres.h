@@ -31,12 +31,30 @@ inline void Solver::move_to_wall(Cut &cut, int i) const
   for (int d = 0; d < 3; d++) cut.u[d] += sphere.velocity[d];
 }
 
-inline Solver::Rule Solver::rule(std::size_t x, int i, const Cut &cut) const
+// what the wall's motion adds to a link, up to the rule's factor
+inline Real Solver::push(std::size_t x, int i, const Cut &cut) const
 {
-  const int o = dirs[i].opposite;
   // the solver keeps the density excess at single precision
   const Real rho = 1.0 + Real(float(density(x) - 1.0));
-  const Real m = 3.0 * dirs[i].w * rho * dot(dirs[i].c, cut.u);
+  return 3.0 * dirs[i].w * rho * dot(dirs[i].c, cut.u);
+}
+
+// a wall that moves as the one moves towards the other, along the mean of their normals
+inline Solver::Cut Solver::approach(const Cut &one, const Cut &other) const
+{
+  Cut both = one;
+  Vec n;
+  for (int d = 0; d < 3; d++)
+    n[d] = one.arm[d] / std::sqrt(dot(one.arm, one.arm)) -
+        other.arm[d] / std::sqrt(dot(other.arm, other.arm));
+  const Real along = dot(n, one.u) - dot(n, other.u);
+  for (int d = 0; d < 3; d++) both.u[d] = dot(n, n) > 0.0 ? n[d] * along / dot(n, n) : 0.0;
+  return both;
+}
+
+inline Solver::Rule Solver::rule(std::size_t x, int i, const Cut &cut, Real m) const
+{
+  const int o = dirs[i].opposite;
   const Real back = at(post, x, o), ahead = at(post, x, i), q = cut.q;
   switch (settings.link) {
     case lbm::LinkRule::HALFWAY:
@@ -73,14 +91,17 @@ inline Real Solver::from_sphere(std::size_t x, int i)
     }
     move_to_wall(mine, i);
     move_to_wall(other, o);
-    const Rule a = rule(x, i, mine), b = rule(x, o, other);
+    // walls that move as one, or shear; what they squeeze out is added as by half-way walls
+    const Real squeezed = push(x, i, approach(mine, other)) / 2;
+    const Rule a = rule(x, i, mine, push(x, i, mine) - squeezed);
+    const Rule b = rule(x, o, other, push(x, o, other) - squeezed);
     // a.known = f_i - a.unknown f_o, b.known = f_o - b.unknown f_i, by Cramer's rule
-    value = (a.known + a.unknown * b.known) / (1.0 - a.unknown * b.unknown);
+    value = (a.known + a.unknown * b.known) / (1.0 - a.unknown * b.unknown) + 2 * squeezed;
     gaps++;
   } else {
     if (there == OPEN) mine.q = 0.5;
     move_to_wall(mine, i);
-    const Rule r = rule(x, i, mine);
+    const Rule r = rule(x, i, mine, push(x, i, mine));
     value = r.known;
     if (there == FLUID) value += r.unknown * at(post, index(behind), o);
     if (there == WALL) value += r.unknown * from_wall(x, o);
@@ -163,7 +184,7 @@ inline void Solver::press_from_face(const Owner &mine, const Direction &outwards
 }
 
 // A node with one fluid neighbour at most: mean density and velocity of the spheres on its other sides;
-// with one, the density with which the neighbour gets back what a half-way wall would return
+// with one, the mass that it held and has exchanged with that
 inline void Solver::fill_if_pocket(std::size_t x)
 {
   std::vector<std::size_t> fluid;    // populations that come from fluid neighbours
@@ -190,9 +211,8 @@ inline void Solver::fill_if_pocket(std::size_t x)
   for (Real &component : u) component /= around;
   Real rho = 1.0 + drho / around;
   if (!fluid.empty()) {
-    const std::size_t i = fluid[0];
-    const Real half_force = 1.5 * dirs[i].w * dot(dirs[i].c, force);
-    rho = (at(f, x, i) + half_force) / equilibrium(i, 1.0, u);
+    rho = at(f, x, fluid[0]) - at(post, x, dirs[fluid[0]].opposite);
+    for (std::size_t i = 0; i < dirs.size(); i++) rho += at(post, x, i);
   }
   set_equilibrium(x, rho, u);
 }

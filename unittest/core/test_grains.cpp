@@ -172,8 +172,9 @@ TEST(Grains, SolidNodesNeverLeak)
     }
 }
 
-// grid Reynolds numbers up to 30, grains that collide and pass through each other. Stairs are less
-// stable than interpolated walls.
+// Grid Reynolds numbers up to 30, grains that collide and pass through each other. Stairs are less
+// stable than interpolated walls. Water squeezed out between two grains is faster than they are, as
+// U r / 2 h; it must stay below the Mach number of 0.3 at which a run is stopped.
 TEST(Grains, LowViscosityStaysFinite)
 {
   for (LinkRule rule : RULES)
@@ -192,7 +193,7 @@ TEST(Grains, LowViscosityStaysFinite)
         for (int t = 0; t < 400; t++) box.step(scene::drifted(grains, t));
         const Survey survey = box.fluid->survey();
         EXPECT_FALSE(survey.bad);
-        EXPECT_LT(survey.speed.value, 0.12);
+        EXPECT_LT(survey.speed.value, 0.3 / std::sqrt(3.0));
       }
 }
 

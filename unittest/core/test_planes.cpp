@@ -177,10 +177,14 @@ template <class L, class Rule> class Channel {
 
   void advance()
   {
-    // the walls' velocities are carried by two spheres that touch nothing
+    // the walls' velocities are carried by two spheres that touch nothing, far behind the walls
     std::vector<Sphere> walls(2);
     for (int k = 0; k < 2; k++) {
-      walls[k] = {k, {-1000.5, -1000.5, -1000.5}, 1.0, tangent(), {}};
+      const double far = k == 0 ? -1e10 : 1e10;
+      Vec3 centre{};
+      centre[shape.across] = far;
+      centre[shape.along] = -far * shape.slope;
+      walls[k] = {k, centre, 1.0, tangent(), {}};
       for (double &u : walls[k].velocity) u *= k == 0 ? u_low : u_high;
     }
     if (!cover.same_places(walls)) cover.place(walls);
