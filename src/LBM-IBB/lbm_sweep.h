@@ -30,6 +30,13 @@ struct MovingSolids {
   float *drho;
 };
 
+// Hardware reads ahead on some ten streams, not on 19: 512 bytes ahead is 1.6 times as fast (Zen 5, one
+// core), while D2Q9 loses a seventh by being told.
+template <class L> LBM_INLINE inline void read_ahead(const typename L::Real *p)
+{
+  if constexpr (L::Q > 9) __builtin_prefetch(p + 512 / sizeof(typename L::Real), 1);
+}
+
 template <class L, int W, class Collision, class Force, class Solid>
 LBM_INLINE inline void update_nodes(const Slots<L> &p, Index n, const Collision &collide,
                                     const Force &force, const Solid &solid)
@@ -37,6 +44,7 @@ LBM_INLINE inline void update_nodes(const Slots<L> &p, Index n, const Collision 
   using V = Pack<W, typename L::Real>;
   V f[L::Q];
   unroll<L::Q>([&](auto i) LBM_INLINE {
+    if constexpr (W > 1) read_ahead<L>(p[i] + n);
     f[i] = load<V>(p[i] + n);
   });
   if constexpr (Solid::present) {
