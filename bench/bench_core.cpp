@@ -182,7 +182,9 @@ template <class Rule, bool moving> void link_pass(benchmark::State &state)
   Cover cover(at, 3, Cover::Sides{});
   cover.place(bed.spheres(0.0, moving ? 0.01 : 0.0));
   Links links;
-  for (std::size_t s = 0; s < cover.spheres().size(); s++) find_links<D3Q19>(at, cover, s, links);
+  const Region all{{0, 0, 0}, {bed.n - 1, bed.n - 1, bed.n - 1}};
+  for (std::size_t s = 0; s < cover.spheres().size(); s++)
+    find_links<D3Q19>(at, cover, s, all, links);
   const std::vector<float> drho(at.size);
   std::vector<Load> loads(cover.spheres().size());
   for (auto _ : state)
@@ -203,9 +205,11 @@ void find_all_links(benchmark::State &state)
   Cover cover(at, 3, Cover::Sides{});
   cover.place(bed.spheres(0.0, 0.0));
   Links links;
+  const Region all{{0, 0, 0}, {bed.n - 1, bed.n - 1, bed.n - 1}};
   for (auto _ : state) {
     links.clear();
-    for (std::size_t s = 0; s < cover.spheres().size(); s++) find_links<D3Q19>(at, cover, s, links);
+    for (std::size_t s = 0; s < cover.spheres().size(); s++)
+      find_links<D3Q19>(at, cover, s, all, links);
   }
   state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size()),
                                                benchmark::Counter::kIsIterationInvariantRate);

@@ -15,6 +15,32 @@ namespace {
   template <class V> struct Sums {
     V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{}, swallowed = V{};
     double links = 0.0;
+
+    // of the first n numbers of each pack
+    void add_first(const Sums &other, int n)
+    {
+      V keep{};
+      for (int k = 0; k < n; k++) keep[k] = 1.0;
+      for (int d = 0; d < 3; d++) {
+        force[d] += keep * other.force[d];
+        torque[d] += keep * other.torque[d];
+      }
+      pressing += keep * other.pressing;
+      swallowed += keep * other.swallowed;
+    }
+  };
+
+  // less than a pack of links, filled with copies of the last: they bounce back alike
+  template <int W> struct Tail {
+    int16_t place[3][W];
+    double q[W];
+    Tail(const Links &links, std::size_t k, std::size_t end)
+    {
+      for (int l = 0; l < W; l++, k += k + 1 < end) {
+        for (int d = 0; d < 3; d++) place[d][l] = links.place[d][k];
+        q[l] = links.q[k];
+      }
+    }
   };
 
   double total(const double &v)
@@ -110,13 +136,13 @@ namespace {
   LBM_INLINE inline void
   bounce_back_pack(const Layout &at, const LinkSlots<L> &slot, const Sphere &sphere,
                    const Vec3 &centre, const int (&e)[3], double weight, double refund,
-                   const Links &links, std::size_t k, const float *drho, Sums<Pack<W>> &sums)
+                   const int16_t *const (&places)[3], const double *fractions, const float *drho,
+                   Sums<Pack<W>> &sums)
   {
     using V = Pack<W>;
     PackInt<W> place[3];
-    for (int d = 0; d < 3; d++)
-      place[d] = convert<PackInt<W>>(load<PackShort<W>>(&links.place[d][k]));
-    const V q = load<V>(&links.q[k]);
+    for (int d = 0; d < 3; d++) place[d] = convert<PackInt<W>>(load<PackShort<W>>(places[d]));
+    const V q = load<V>(fractions);
     V arm[3];    // x_w - c
     for (int d = 0; d < 3; d++) arm[d] = convert<V>(place[d]) - centre[d] + double(e[d]) * q;
     uint32_t n[W];
@@ -147,9 +173,11 @@ namespace {
   inline double approach(const Vec3 (&u)[2], const double (&arm)[2][3], const int (&e)[3])
   {
     Vec3 n;
-    const double length[2] = {std::hypot(arm[0][0], arm[0][1], arm[0][2]),
-                              std::hypot(arm[1][0], arm[1][1], arm[1][2])};
-    for (int d = 0; d < 3; d++) n[d] = arm[0][d] / length[0] - arm[1][d] / length[1];
+    const auto per_length = [](const double(&a)[3]) {
+      return 1.0 / std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    };
+    const double ahead = per_length(arm[0]), behind = per_length(arm[1]);
+    for (int d = 0; d < 3; d++) n[d] = arm[0][d] * ahead - arm[1][d] * behind;
     const double nn = dot(n, n), along = dot(n, u[0]) - dot(n, u[1]);
     return nn > 0.0 ? dot(e, n) * along / nn : 0.0;
   }
@@ -190,10 +218,11 @@ namespace {
       }
     }
     const double D = 1.0 / (1.0 - c2[0] * c2[1]),
-                 squeezed = moving ? 1.5 * L::w[i] * (1.0 + drho[n]) * approach(velocity, arm, L::e[i]) : 0.0;
+                 squeezed = moving
+        ? 1.5 * L::w[i] * (1.0 + drho[n]) * approach(velocity, arm, L::e[i])
+        : 0.0;
     for (int k = 0; moving && k < 2; k++) known[k] -= c4[k] * (pushed[k] - squeezed);
-    for (int k = 0; k < 2; k++)
-      back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
+    for (int k = 0; k < 2; k++) back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
     double swallowed[2];
     for (int k = 0; k < 2; k++) {
       swallowed[k] = out[k] - back[k] - 2.0 * pushed[k];
@@ -250,17 +279,22 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const Vec3 c = cover.centre(group.sphere);
     const double refund = L::w[i] * sphere.refund;
     Sums<Pack<W>> sums;
-    Sums<double> tail;
+    const auto bounce_pack = [&](const int16_t *const(&places)[3], const double *q,
+                                 auto &to) LBM_INLINE {
+      bounce_back_pack<L, Rule, moving, W>(at, slot, sphere, c, L::e[i], L::w[i], refund, places, q,
+                                           drho, to);
+    };
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
-      bounce_back_pack<L, Rule, moving, W>(at, slot, sphere, c, L::e[i], L::w[i], refund, links, k,
-                                           drho, sums);
-    for (; k < group.end; k++)
-      bounce_back_pack<L, Rule, moving, 1>(at, slot, sphere, c, L::e[i], L::w[i], refund, links, k,
-                                           drho, tail);
+      bounce_pack({&links.place[0][k], &links.place[1][k], &links.place[2][k]}, &links.q[k], sums);
+    if (k < group.end) {
+      const Tail<W> tail(links, k, group.end);
+      Sums<Pack<W>> with_copies;
+      bounce_pack({tail.place[0], tail.place[1], tail.place[2]}, tail.q, with_copies);
+      sums.add_first(with_copies, int(group.end - k));
+    }
     sums.links = double(group.end - group.begin);
     add<moving>(sums, L::e[i], L::w[i], loads[group.sphere]);
-    add<moving>(tail, L::e[i], L::w[i], loads[group.sphere]);
   }
   for (const Gap &gap : links.gaps) close_gap<L, Rule, moving>(at, f, cover, gap, drho, loads);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);

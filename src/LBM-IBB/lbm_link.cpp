@@ -23,6 +23,9 @@ void Links::trim()
   fit(q);
   for (auto &component : place) fit(component);
   gaps.shrink_to_fit();
+  groups.shrink_to_fit();
+  hidden.shrink_to_fit();
+  bits = {};
 }
 
 double Links::bytes() const
@@ -39,14 +42,16 @@ namespace {
   // a time: the links of a row along one direction are then three shifts and as many ands.
   template <class L> class Finder {
    public:
-    Finder(const Layout &at, const Cover &cover, std::size_t s, Links &links) :
-        at(at), cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)),
+    Finder(const Layout &at, const Cover &cover, std::size_t s, const Region &region,
+           Links &links) :
+        at(at),
+        cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)),
         open_faces(cover.has_open_faces()), links(links), first_hidden(links.hidden.size())
     {
       const double reach = cover.spheres()[s].radius + 1.0;
       for (int d = 0; d < 3; d++) {    // fluid nodes that can have a link
-        lo[d] = std::max(int(std::ceil(c[d] - reach)), 0);
-        hi[d] = std::min(int(std::floor(c[d] + reach)), at.n[d] - 1);
+        lo[d] = std::max(int(std::ceil(c[d] - reach)), region.lo[d]);
+        hi[d] = std::min(int(std::floor(c[d] + reach)), region.hi[d]);
       }
     }
 
@@ -168,7 +173,7 @@ namespace {
       }
       if (links.size == begin) return;
       set_fractions(i, begin);
-      links.groups.push_back({int32_t(s), int32_t(i), begin, links.size});
+      links.groups.push_back({int32_t(s), int32_t(i), uint32_t(begin), uint32_t(links.size)});
     }
 
     void add_links(int i, uint64_t found, int y, int z)
@@ -285,13 +290,14 @@ namespace {
 }    // namespace
 
 template <class L>
-void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links)
+void find_links(const Layout &at, const Cover &cover, std::size_t s, const Region &region,
+                Links &links)
 {
-  Finder<L>(at, cover, s, links).find();
+  Finder<L>(at, cover, s, region, links).find();
 }
 
 #define LBM_INSTANTIATE(L) \
-  template void find_links<L>(const Layout &, const Cover &, std::size_t, Links &);
+  template void find_links<L>(const Layout &, const Cover &, std::size_t, const Region &, Links &);
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 

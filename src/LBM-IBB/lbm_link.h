@@ -23,8 +23,8 @@ constexpr double Q_MIN = 1e-6;
 
 struct LinkGroup {
   int32_t sphere;
-  int32_t direction;         // i, from fluid to solid
-  std::size_t begin, end;    // in the arrays of Links
+  int32_t direction;      // i, from fluid to solid
+  uint32_t begin, end;    // in the arrays of Links
 };
 
 // the pair of links of one node along i = 1..P and its opposite
@@ -55,7 +55,7 @@ struct Links {
   std::vector<Bits> bits;    // scratch of find_links()
 
   void clear();    // all but the pockets, which wait for the links of all spheres
-  void trim();     // give back what is allocated and not in use
+  void trim();     // give back what is allocated and not in use, scratch too
   double bytes() const;
 };
 
@@ -69,9 +69,15 @@ inline double cut(const Vec3 &d, const int (&e)[3], double radius)
   return q > 1.0 ? 1.0 : (q > Q_MIN ? q : Q_MIN);
 }
 
-// append the links of sphere s
+// nodes of the block, both corners among them
+struct Region {
+  Int3 lo, hi;
+};
+
+// append the links of sphere s from nodes of the region
 template <class L>
-void find_links(const Layout &at, const Cover &cover, std::size_t s, Links &links);
+void find_links(const Layout &at, const Cover &cover, std::size_t s, const Region &region,
+                Links &links);
 
 }    // namespace lbm
 #endif

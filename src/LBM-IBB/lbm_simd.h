@@ -92,15 +92,19 @@ template <class To, class From> LBM_INLINE inline To convert(const From &v)
     return __builtin_convertvector(v, To);
 }
 
+namespace detail {
+  // written as a list, because filling a pack one by one makes each number wait for the one before
+  template <class V, class T, int... K>
+  LBM_INLINE inline V gather(const T *p, const uint32_t *n, std::integer_sequence<int, K...>)
+  {
+    return V{p[n[K]]...};
+  }
+}    // namespace detail
+
 template <int W, class T> LBM_INLINE inline auto gather(const T *p, const uint32_t *n)
 {
-  if constexpr (W == 1) {
-    return p[*n];
-  } else {
-    typename detail::Vector<T, W>::type v{};
-    for (int k = 0; k < W; k++) v[k] = p[n[k]];
-    return v;
-  }
+  using V = typename detail::Vector<T, W>::type;
+  return detail::gather<V>(p, n, std::make_integer_sequence<int, W>{});
 }
 
 template <int W, class T> LBM_INLINE inline void scatter(T *p, const uint32_t *n, const Pack<W> &v)

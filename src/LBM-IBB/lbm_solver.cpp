@@ -2,8 +2,6 @@
 
 #include "lbm_solver.h"
 
-#include "lbm_bounce_back.h"
-#include "lbm_exchange.h"
 #include "lbm_halo.h"
 #include "lbm_sweep.h"
 
@@ -19,9 +17,9 @@ namespace {
     FluidOn(const Settings &settings, const Layout &at, const Int3 &global,
             Neighbours &neighbours) :
         settings(settings),
-        at(at), block(at), halo(at, neighbours), neighbours(neighbours),
-        collide(settings.bgk ? Trt<L>::bgk(settings.tau)
-                             : Trt<L>::trt(settings.tau, settings.magic))
+        at(at), block(at), halo(at, neighbours), pass(at, settings.link, settings.slab),
+        neighbours(neighbours), collide(settings.bgk ? Trt<L>::bgk(settings.tau)
+                                                     : Trt<L>::trt(settings.tau, settings.magic))
     {
       for (int d = 0; d < 3; d++) {
         at_end[d][0] = at.lo[d] == 0 && settings.faces[d][0].kind != FaceKind::PERIODIC;
@@ -44,7 +42,6 @@ namespace {
           std::swap(before, now);
         }
         now->place(spheres);
-        kept_links = false;
       } else {
         now->set_velocities(spheres);
       }
@@ -56,11 +53,18 @@ namespace {
 
     void advance(std::vector<Load> &loads) override
     {
-      collide_and_stream();
+      loads.assign(now ? now->spheres().size() : 0, Load{});
+      if (spheres_here())
+        collide_stream_and_bounce(loads);
+      else
+        collide_and_stream(0, at.n[L::D - 1]);
       halo.exchange(block);
       block.advance();
       bounce_at_walls<L>(at, block.slots(), settings.faces, at_end);
-      links_bounce_back(loads);
+      if (spheres_here()) {
+        pass.outermost(block.slots());
+        pass.fill_pockets(block.slots(), force);
+      }
       open_faces();
     }
 
@@ -97,13 +101,13 @@ namespace {
     }
 
     const Layout &layout() const override { return at; }
-    double links() const override { return double(nlinks); }
-    double gaps() const override { return double(ngaps); }
+    double links() const override { return spheres_here() ? pass.links() : 0.0; }
+    double gaps() const override { return spheres_here() ? pass.gaps() : 0.0; }
     const RefillCount &refilled() const override { return refill_count; }
     double bytes() const override
     {
       return block.bytes() + (now ? now->bytes() : 0.0) + (before ? before->bytes() : 0.0) +
-          double(drho.capacity() * sizeof(float)) + list.bytes();
+          double(drho.capacity() * sizeof(float)) + pass.bytes();
     }
 
    private:
@@ -111,6 +115,7 @@ namespace {
     Layout at;
     Block<L> block;
     Halo<L> halo;
+    LinkPass<L> pass;
     Neighbours &neighbours;
     Trt<L> collide;
     Vec3 force{};
@@ -118,10 +123,8 @@ namespace {
 
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
-    bool moved = false, moving = false, kept_links = false;
-    Links list;
+    bool moved = false, moving = false;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
-    std::size_t nlinks = 0, ngaps = 0;
     RefillCount refill_count;
 
     void provide(std::unique_ptr<Cover> &cover) const
@@ -142,24 +145,33 @@ namespace {
       return s;
     }
 
-    template <class Force> void sweep_with(const Force &f)
+    template <class Force> void sweep_with(const Force &f, int first, int end)
     {
-      if (!spheres_here()) {
-        sweep(block, collide, f, NoSolids{});
-      } else if (!moving) {
-        sweep(block, collide, f, Solids{owner()});
-      } else {
-        drho.resize(at.size);
-        sweep(block, collide, f, MovingSolids{owner(), drho.data()});
-      }
+      if (!spheres_here())
+        sweep(block, collide, f, NoSolids{}, first, end);
+      else if (!moving)
+        sweep(block, collide, f, Solids{owner()}, first, end);
+      else
+        sweep(block, collide, f, MovingSolids{owner(), drho.data()}, first, end);
     }
 
-    void collide_and_stream()
+    void collide_and_stream(int first, int end)
     {
       if (force == Vec3{})
-        sweep_with(NoForce{});
+        sweep_with(NoForce{}, first, end);
       else
-        sweep_with(UniformForce{force});
+        sweep_with(UniformForce{force}, first, end);
+    }
+
+    // the links of each slab while it is in the cache
+    void collide_stream_and_bounce(std::vector<Load> &loads)
+    {
+      if (moving) drho.resize(at.size);
+      pass.start(*now, moved, moving ? drho.data() : nullptr, loads);
+      for (int k = 0; k < pass.slabs(); k++) {
+        collide_and_stream(pass.first_plane(k), pass.first_plane(k + 1));
+        pass.inner(k, block.slots(block.step() + 1));
+      }
     }
 
     void open_faces()
@@ -169,68 +181,6 @@ namespace {
           if (at_end[d][side] && settings.faces[d][side].open())
             open_face<L>(at, block.slots(), d, side, settings.faces[d][side], settings.faces,
                          at_end, owner(), force);
-    }
-
-    // links of spheres that stay are found once and kept; of spheres that move, found and used one
-    // sphere at a time
-    void links_bounce_back(std::vector<Load> &loads)
-    {
-      loads.assign(now ? now->spheres().size() : 0, Load{});
-      if (!spheres_here()) {
-        nlinks = ngaps = 0;
-        return;
-      }
-      if (moved) {
-        list.pockets.clear();
-        nlinks = ngaps = 0;
-        for (std::size_t s = 0; s < loads.size(); s++) {
-          list.clear();
-          find_links<L>(at, *now, s, list);
-          bounce_back_all(loads);
-          count_links();
-        }
-      } else {
-        if (!kept_links) keep_links();
-        bounce_back_all(loads);
-      }
-      fill_pockets<L>(at, block.slots(), *now, list.pockets, force);
-    }
-
-    void keep_links()
-    {
-      list.pockets.clear();
-      list.clear();
-      for (std::size_t s = 0; s < now->spheres().size(); s++) find_links<L>(at, *now, s, list);
-      list.trim();
-      kept_links = true;
-      nlinks = ngaps = 0;
-      count_links();
-    }
-
-    void count_links()
-    {
-      nlinks += list.size + 2 * list.gaps.size();
-      ngaps += list.gaps.size();
-    }
-
-    void bounce_back_all(std::vector<Load> &loads)
-    {
-      switch (settings.link) {
-        case LinkRule::HALFWAY:
-          return bounce_back_with<Halfway>(loads);
-        case LinkRule::BOUZIDI:
-          return bounce_back_with<Bouzidi>(loads);
-        case LinkRule::CLI:
-          return bounce_back_with<Cli>(loads);
-      }
-    }
-
-    template <class Rule> void bounce_back_with(std::vector<Load> &loads)
-    {
-      if (moving)
-        bounce_back<L, Rule, true>(at, block.slots(), *now, list, drho.data(), loads);
-      else
-        bounce_back<L, Rule, false>(at, block.slots(), *now, list, nullptr, loads);
     }
 
     void refill_uncovered()

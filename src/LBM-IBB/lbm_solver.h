@@ -11,6 +11,7 @@
 #define LBM_SOLVER_H
 
 #include "lbm_face.h"
+#include "lbm_link_pass.h"
 #include "lbm_monitor.h"
 #include "lbm_neighbours.h"
 #include "lbm_profile.h"
@@ -20,8 +21,6 @@
 
 namespace lbm {
 
-enum class LinkRule { HALFWAY, BOUZIDI, CLI };
-
 struct Settings {
   int dimension = 3;
   bool single = false;          // populations in single precision
@@ -30,7 +29,8 @@ struct Settings {
   double magic = 3.0 / 16.0;    // Lambda = (tau+ - 1/2)(tau- - 1/2)
   LinkRule link = LinkRule::CLI;
   RefillRule refill = RefillRule::GRAD;
-  Faces faces;    // of the whole box
+  int slab = 0;    // planes swept before their links; 0: by the size of the cache
+  Faces faces;     // of the whole box
 };
 
 class Fluid {

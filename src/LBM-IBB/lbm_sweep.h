@@ -60,19 +60,28 @@ LBM_INLINE inline void update_nodes(const Slots<L> &p, Index n, const Collision 
   });
 }
 
+// planes first <= p < end across z, in two dimensions across y
 template <class L, class Collision, class Force, class Solid>
-void sweep(const Block<L> &block, const Collision &collide, const Force &force, const Solid &solid)
+void sweep(const Block<L> &block, const Collision &collide, const Force &force, const Solid &solid,
+           int first, int end)
 {
   const Layout &at = block.layout();
   const Slots<L> p = block.slots();
   constexpr int W = width<typename L::Real>;
-  for (int z = 0; z < at.n[2]; z++)
-    for (int y = 0; y < at.n[1]; y++) {
-      const Index row = at.index(0, y, z), end = row + at.n[0];
+  const bool flat = L::D == 2;
+  for (int z = flat ? 0 : first; z < (flat ? 1 : end); z++)
+    for (int y = flat ? first : 0; y < (flat ? end : at.n[1]); y++) {
+      const Index row = at.index(0, y, z), row_end = row + at.n[0];
       Index n = row;
-      for (; n + W <= end; n += W) update_nodes<L, W>(p, n, collide, force, solid);
-      for (; n < end; n++) update_nodes<L, 1>(p, n, collide, force, solid);
+      for (; n + W <= row_end; n += W) update_nodes<L, W>(p, n, collide, force, solid);
+      for (; n < row_end; n++) update_nodes<L, 1>(p, n, collide, force, solid);
     }
+}
+
+template <class L, class Collision, class Force, class Solid>
+void sweep(const Block<L> &block, const Collision &collide, const Force &force, const Solid &solid)
+{
+  sweep(block, collide, force, solid, 0, block.layout().n[L::D - 1]);
 }
 
 }    // namespace lbm

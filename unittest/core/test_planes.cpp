@@ -171,7 +171,8 @@ template <class L, class Rule> class Channel {
           for (int d = 0; d < 3; d++) links.place[d].push_back(int16_t(p[d]));
           links.size++;
         });
-        if (links.size > begin) links.groups.push_back({wall, i, begin, links.size});
+        if (links.size > begin)
+          links.groups.push_back({wall, i, uint32_t(begin), uint32_t(links.size)});
       }
   }
 

@@ -300,6 +300,16 @@ TEST_P(Equal, ToPlainSolver)
   compare(GetParam());
 }
 
+// links between the slabs of a sweep, as in blocks that are too large for the cache
+TEST_P(Equal, ToPlainSolverInSlabs)
+{
+  for (int slab : {1, 2, 5}) {
+    Case c = GetParam();
+    c.settings.slab = slab;
+    compare(c);
+  }
+}
+
 TEST_P(Equal, ToPlainSolverInSingle)
 {
   Case c = GetParam();
