@@ -3,32 +3,13 @@
 #include "lbm_exchange.h"
 
 #include "lbm_bounce_back.h"
+#include "lbm_momentum.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace lbm {
 namespace {
-
-  // what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed along
-  // e alone, and torque then holds the sum of arm times pressure
-  template <class V> struct Sums {
-    V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{}, swallowed = V{};
-    double links = 0.0;
-
-    // of the first n numbers of each pack
-    void add_first(const Sums &other, int n)
-    {
-      V keep{};
-      for (int k = 0; k < n; k++) keep[k] = 1.0;
-      for (int d = 0; d < 3; d++) {
-        force[d] += keep * other.force[d];
-        torque[d] += keep * other.torque[d];
-      }
-      pressing += keep * other.pressing;
-      swallowed += keep * other.swallowed;
-    }
-  };
 
   // less than a pack of links, filled with copies of the last: they bounce back alike
   template <int W> struct Tail {
@@ -42,72 +23,6 @@ namespace {
       }
     }
   };
-
-  double total(const double &v)
-  {
-    return v;
-  }
-  template <class V> double total(const V &v)
-  {
-    double s = 0.0;
-    for (unsigned k = 0; k < sizeof(V) / sizeof(double); k++) s += v[k];
-    return s;
-  }
-
-  template <bool moving, class V>
-  void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
-  {
-    const double pressing = total(sums.pressing);
-    Vec3 force, torque;
-    for (int d = 0; d < 3; d++) {
-      force[d] = moving ? total(sums.force[d]) : e[d] * pressing;
-      torque[d] = total(sums.torque[d]);
-    }
-    if (!moving) torque = cross(torque, {double(e[0]), double(e[1]), double(e[2])});
-    load.pressing += pressing;
-    load.swallowed += total(sums.swallowed);
-    load.area += 2.0 * w * sums.links;
-    for (int d = 0; d < 3; d++) {
-      load.force[d] += force[d];
-      load.torque[d] += torque[d];
-    }
-  }
-
-  // velocity of a moving surface and what it does to a link
-  template <class V> struct Wall {
-    V u[3], eu, usq;
-    template <class T> LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const T (&arm)[3])
-    {
-      for (int d = 0; d < 3; d++) {
-        const int a = (d + 1) % 3, b = (d + 2) % 3;
-        u[d] = s.velocity[d] + (s.spin[a] * arm[b] - s.spin[b] * arm[a]);
-      }
-      eu = double(e[0]) * u[0] + double(e[1]) * u[1] + double(e[2]) * u[2];
-      usq = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-    }
-  };
-
-  // momentum of a link given to its sphere; arm = x_w - c
-  template <bool moving, class V>
-  LBM_INLINE inline void exchange(Sums<V> &sums, const int (&e)[3], double w, const V &out,
-                                  const V &back, const V (&arm)[3], const Wall<V> *wall)
-  {
-    V g = out + back;
-    if constexpr (moving) {
-      g = g - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
-      const V h = out - back - 6.0 * w * wall->eu;
-      V F[3];
-      for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall->u[d] * h;
-      for (int d = 0; d < 3; d++) {
-        const int a = (d + 1) % 3, b = (d + 2) % 3;
-        sums.force[d] = sums.force[d] + F[d];
-        sums.torque[d] = sums.torque[d] + (arm[a] * F[b] - arm[b] * F[a]);
-      }
-    } else {
-      for (int d = 0; d < 3; d++) sums.torque[d] = sums.torque[d] + arm[d] * g;
-    }
-    sums.pressing = sums.pressing + g;
-  }
 
   // indices of nodes; they fit, if not their parts, so that sums modulo 2^32 are right
   template <int W>
