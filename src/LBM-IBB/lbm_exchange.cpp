@@ -5,8 +5,7 @@
 #include "lbm_bounce_back.h"
 #include "lbm_momentum.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace lbm {
 namespace {
@@ -15,11 +14,12 @@ namespace {
   template <int W> struct Tail {
     int16_t place[3][W];
     double q[W];
-    Tail(const Links &links, std::size_t k, std::size_t end)
+    Tail(const std::vector<int16_t> (&places)[3], const std::vector<double> &fractions,
+         std::size_t k, std::size_t end)
     {
       for (int l = 0; l < W; l++, k += k + 1 < end) {
-        for (int d = 0; d < 3; d++) place[d][l] = links.place[d][k];
-        q[l] = links.q[k];
+        for (int d = 0; d < 3; d++) place[d][l] = places[d][k];
+        q[l] = fractions[k];
       }
     }
   };
@@ -83,76 +83,117 @@ namespace {
     scatter<W>(slot.w, n, back);
   }
 
+  // what the two ends of a gap are
+  struct Ends {
+    const Sphere *sphere[2];    // ahead and behind
+    Vec3 centre[2];
+    Ends(const Cover &cover, const GapGroup &group) :
+        sphere{&cover.spheres()[group.ahead], &cover.spheres()[group.behind]},
+        centre{cover.centre(group.ahead), cover.centre(group.behind)}
+    {
+    }
+  };
+
   // e.(u - u') of two walls in as much as they approach each other: along the mean of their normals,
   // which point along the arms
-  inline double approach(const Vec3 (&u)[2], const double (&arm)[2][3], const int (&e)[3])
+  template <class V>
+  LBM_INLINE inline V approach(const V (&u)[2][3], const V (&arm)[2][3], const int (&e)[3])
   {
-    Vec3 n;
-    const auto per_length = [](const double(&a)[3]) {
-      return 1.0 / std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    };
-    const double ahead = per_length(arm[0]), behind = per_length(arm[1]);
-    for (int d = 0; d < 3; d++) n[d] = arm[0][d] * ahead - arm[1][d] * behind;
-    const double nn = dot(n, n), along = dot(n, u[0]) - dot(n, u[1]);
-    return nn > 0.0 ? dot(e, n) * along / nn : 0.0;
+    V length[2], n[3], along = V{}, nn = V{}, en = V{};
+    for (int k = 0; k < 2; k++)
+      length[k] = root(arm[k][0] * arm[k][0] + arm[k][1] * arm[k][1] + arm[k][2] * arm[k][2]);
+    for (int d = 0; d < 3; d++) {
+      n[d] = arm[0][d] * length[1] - arm[1][d] * length[0];
+      along = along + n[d] * (u[0][d] - u[1][d]);
+      nn = nn + n[d] * n[d];
+      en = en + double(e[d]) * n[d];
+    }
+    return en * along / (nn + std::numeric_limits<double>::min());
   }
 
   // Two links of one node that need each other's result: with f_o and f_i unknown,
   //     f_o = A + c2 f_i,  f_i = B + c2' f_o,  each rule's x_f' being the other's wall
   // Walls that approach each other are taken half-way: they displace what they should, while the rules
   // would say what happens in a channel of width q + q' without ends, by 1/(q + q') more.
-  template <class L, class Rule, bool moving>
-  void close_gap(const Layout &at, const Slots<L> &f, const Cover &cover, const Gap &gap,
-                 const float *drho, std::vector<Load> &loads)
+  template <class L, class Rule, bool moving, int W>
+  LBM_INLINE inline void close_gaps(const Layout &at, const Slots<L> &f, const Ends &ends, int i,
+                                    const int16_t *const (&places)[3],
+                                    const double *const (&fractions)[2], const float *drho,
+                                    Sums<Pack<W>> (&sums)[2])
   {
-    const int i = gap.direction, o = opposite<L>(i);
+    using V = Pack<W>;
+    const int o = opposite<L>(i);
     const LinkSlots<L> slot(at, f, i);
-    const Index n = at.index(gap.place[0], gap.place[1], gap.place[2]);
-    const double out[2] = {slot.r1[n], slot.r3[n]};
-    double q[2] = {gap.q_ahead, gap.q_behind};
-    const double room = q[0] + q[1];
-    if (room < GAP_MIN)
-      for (double &k : q) k *= GAP_MIN / room;
+    PackInt<W> place[3];
+    for (int d = 0; d < 3; d++) place[d] = convert<PackInt<W>>(load<PackShort<W>>(places[d]));
+    uint32_t n[W];
+    store(n, index<W>(at, place));
+    const V out[2] = {convert<V>(gather<W>(slot.r1, n)), convert<V>(gather<W>(slot.r3, n))};
+    V q[2] = {load<V>(fractions[0]), load<V>(fractions[1])};
+    const V room = q[0] + q[1], wider = room < GAP_MIN ? GAP_MIN / room : V{} + 1.0;
 
-    const int32_t owner[2] = {gap.ahead, gap.behind};
-    double known[2], c2[2], c4[2], back[2], arm[2][3], pushed[2] = {0.0, 0.0};
-    Vec3 velocity[2];
+    V known[2], c2[2], c4[2], back[2], arm[2][3], velocity[2][3], pushed[2] = {V{}, V{}}, rho = V{};
+    if constexpr (moving) rho = 1.0 + convert<V>(gather<W>(drho, n));
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
-      const Sphere &sphere = cover.spheres()[owner[k]];
-      const Vec3 &centre = cover.centre(owner[k]);
-      for (int d = 0; d < 3; d++) arm[k][d] = gap.place[d] - centre[d] + q[k] * e[d];
-      const Coefficients<double> c = Rule::at(q[k]);
+      q[k] = q[k] * wider;
+      for (int d = 0; d < 3; d++)
+        arm[k][d] = convert<V>(place[d]) - ends.centre[k][d] + double(e[d]) * q[k];
+      const Coefficients<V> c = Rule::template at<V>(q[k]);
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
+      c4[k] = c.c4;
       if constexpr (moving) {
-        const Wall<double> wall(sphere, e, arm[k]);
-        std::copy_n(wall.u, 3, velocity[k].begin());
-        pushed[k] = 3.0 * L::w[i] * (1.0 + drho[n]) * wall.eu;
-        c4[k] = c.c4;
+        const Wall<V> wall(*ends.sphere[k], e, arm[k]);
+        for (int d = 0; d < 3; d++) velocity[k][d] = wall.u[d];
+        pushed[k] = (3.0 * L::w[i]) * rho * wall.eu;
       }
     }
-    const double D = 1.0 / (1.0 - c2[0] * c2[1]),
-                 squeezed = moving
-        ? 1.5 * L::w[i] * (1.0 + drho[n]) * approach(velocity, arm, L::e[i])
-        : 0.0;
-    for (int k = 0; moving && k < 2; k++) known[k] -= c4[k] * (pushed[k] - squeezed);
-    for (int k = 0; k < 2; k++) back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
-    double swallowed[2];
-    for (int k = 0; k < 2; k++) {
-      swallowed[k] = out[k] - back[k] - 2.0 * pushed[k];
-      back[k] += L::w[i] * cover.spheres()[owner[k]].refund;
+    V squeezed = V{};
+    if constexpr (moving) {
+      squeezed = (1.5 * L::w[i]) * rho * approach(velocity, arm, L::e[i]);
+      for (int k = 0; k < 2; k++) known[k] = known[k] - c4[k] * (pushed[k] - squeezed);
     }
-    f[o][n] = back[0];
-    f[i][n] = back[1];
+    const V D = 1.0 / (1.0 - c2[0] * c2[1]);
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
-      const Wall<double> wall(cover.spheres()[owner[k]], e, arm[k]);
-      Sums<double> sums;
-      exchange<moving>(sums, e, L::w[i], out[k], back[k], arm[k], &wall);
-      sums.links = 1.0;
-      sums.swallowed = swallowed[k];
-      add<moving>(sums, e, L::w[i], loads[owner[k]]);
+      back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
+      sums[k].swallowed = sums[k].swallowed + (out[k] - back[k] - 2.0 * pushed[k]);
+      back[k] = back[k] + L::w[i] * ends.sphere[k]->refund;
+      const Wall<V> wall(*ends.sphere[k], e, arm[k]);
+      exchange<moving>(sums[k], e, L::w[i], out[k], back[k], arm[k], &wall);
+    }
+    scatter<W>(f[o], n, back[0]);
+    scatter<W>(f[i], n, back[1]);
+  }
+
+  template <class L, class Rule, bool moving>
+  void close_group(const Layout &at, const Slots<L> &f, const Cover &cover, const Gaps &gaps,
+                   const GapGroup &group, const float *drho, std::vector<Load> &loads)
+  {
+    constexpr int W = SIMD_WIDTH;
+    const int i = group.direction;
+    const Ends ends(cover, group);
+    Sums<Pack<W>> sums[2];
+    std::size_t k = group.begin;
+    for (; k + W <= group.end; k += W)
+      close_gaps<L, Rule, moving, W>(at, f, ends, i,
+                                     {&gaps.place[0][k], &gaps.place[1][k], &gaps.place[2][k]},
+                                     {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho, sums);
+    if (k < group.end) {
+      const Tail<W> ahead(gaps.place, gaps.q_ahead, k, group.end),
+          behind(gaps.place, gaps.q_behind, k, group.end);
+      Sums<Pack<W>> with_copies[2];
+      close_gaps<L, Rule, moving, W>(at, f, ends, i,
+                                     {ahead.place[0], ahead.place[1], ahead.place[2]},
+                                     {ahead.q, behind.q}, drho, with_copies);
+      for (int side = 0; side < 2; side++)
+        sums[side].add_first(with_copies[side], int(group.end - k));
+    }
+    for (int side = 0; side < 2; side++) {
+      sums[side].links = double(group.end - group.begin);
+      add<moving>(sums[side], L::e[side == 0 ? i : opposite<L>(i)], L::w[i],
+                  loads[side == 0 ? group.ahead : group.behind]);
     }
   }
 
@@ -203,7 +244,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     for (; k + W <= group.end; k += W)
       bounce_pack({&links.place[0][k], &links.place[1][k], &links.place[2][k]}, &links.q[k], sums);
     if (k < group.end) {
-      const Tail<W> tail(links, k, group.end);
+      const Tail<W> tail(links.place, links.q, k, group.end);
       Sums<Pack<W>> with_copies;
       bounce_pack({tail.place[0], tail.place[1], tail.place[2]}, tail.q, with_copies);
       sums.add_first(with_copies, int(group.end - k));
@@ -211,7 +252,8 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     sums.links = double(group.end - group.begin);
     add<moving>(sums, L::e[i], L::w[i], loads[group.sphere]);
   }
-  for (const Gap &gap : links.gaps) close_gap<L, Rule, moving>(at, f, cover, gap, drho, loads);
+  for (const GapGroup &group : links.gaps.groups)
+    close_group<L, Rule, moving>(at, f, cover, links.gaps, group, drho, loads);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }
 

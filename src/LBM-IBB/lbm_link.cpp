@@ -6,6 +6,48 @@
 
 namespace lbm {
 
+namespace {
+
+  template <class T> double held(const std::vector<T> &list)
+  {
+    return double(list.capacity() * sizeof(T));
+  }
+
+}    // namespace
+
+void Gaps::clear()
+{
+  groups.clear();
+  for (auto &component : place) component.clear();
+  q_ahead.clear();
+  q_behind.clear();
+}
+
+void Gaps::trim()
+{
+  groups.shrink_to_fit();
+  for (auto &component : place) component.shrink_to_fit();
+  q_ahead.shrink_to_fit();
+  q_behind.shrink_to_fit();
+}
+
+double Gaps::bytes() const
+{
+  return held(groups) + 3 * held(place[0]) + held(q_ahead) + held(q_behind);
+}
+
+void Gaps::add(const Int3 &x_f, int direction, int32_t ahead, int32_t behind, double ahead_at,
+               double behind_at)
+{
+  if (groups.empty() || groups.back().ahead != ahead || groups.back().behind != behind ||
+      groups.back().direction != direction)
+    groups.push_back({ahead, behind, direction, uint32_t(size()), uint32_t(size())});
+  for (int d = 0; d < 3; d++) place[d].push_back(int16_t(x_f[d]));
+  q_ahead.push_back(ahead_at);
+  q_behind.push_back(behind_at);
+  groups.back().end++;
+}
+
 void Links::clear()
 {
   groups.clear();
@@ -22,18 +64,17 @@ void Links::trim()
   };
   fit(q);
   for (auto &component : place) fit(component);
-  gaps.shrink_to_fit();
   groups.shrink_to_fit();
+  gaps.trim();
   hidden.shrink_to_fit();
   bits = {};
+  gaps_found = {};
 }
 
 double Links::bytes() const
 {
-  return double(q.capacity() * sizeof(double) + 3 * place[0].capacity() * sizeof(int16_t) +
-                gaps.capacity() * sizeof(Gap) + pockets.capacity() * sizeof(uint32_t) +
-                groups.capacity() * sizeof(LinkGroup) + hidden.capacity() * sizeof(Hidden) +
-                bits.capacity() * sizeof(Bits));
+  return held(q) + 3 * held(place[0]) + held(groups) + gaps.bytes() + held(pockets) + held(hidden) +
+      held(bits);
 }
 
 namespace {
@@ -152,47 +193,75 @@ namespace {
 
     void along(int i)
     {
-      const int(&e)[3] = L::e[i];
       const std::size_t begin = links.size;
-      const uint64_t window = this->window();
-      const auto seen_from = [&](uint64_t b, int sense) {    // bits of the nodes sense * e further
-        return sense * e[0] > 0 ? b >> 1 : (e[0] == 0 ? b : b << 1);
-      };
-      for (int z = lo[2]; z <= hi[2]; z++) {
-        const Bits *here = &bits(lo[1], z), *ahead = &bits(lo[1] + e[1], z + e[2]),
-                   *behind = &bits(lo[1] - e[1], z - e[2]);
-        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++) {
-          const uint64_t found = window & ~here->equal & seen_from(ahead->equal, 1);
-          if (!found) continue;
-          const uint64_t fluid = found & here->negative;
-          if (fluid != found) hide(i, found & ~fluid, y, z);
-          const uint64_t free = seen_from(behind->negative, -1);
-          if (i <= L::P) add_gaps(i, fluid & ~free, y, z);
-          add_links(i, fluid & free, y, z);
-        }
+      switch (L::e[i][0]) {
+        case -1:
+          along_rows<-1>(i);
+          break;
+        case 0:
+          along_rows<0>(i);
+          break;
+        case 1:
+          along_rows<1>(i);
+          break;
       }
+      keep_gaps(i);
       if (links.size == begin) return;
       set_fractions(i, begin);
       links.groups.push_back({int32_t(s), int32_t(i), uint32_t(begin), uint32_t(links.size)});
     }
 
-    void add_links(int i, uint64_t found, int y, int z)
+    // bits of the nodes step further along x
+    template <int step> static uint64_t seen_from(uint64_t b)
     {
-      const std::size_t most = links.size + 64;
+      return step > 0 ? b >> 1 : (step == 0 ? b : b << 1);
+    }
+
+    template <int ex> void along_rows(int i)
+    {
+      const int(&e)[3] = L::e[i];
+      const uint64_t window = this->window();
+      for (int z = lo[2]; z <= hi[2]; z++) {
+        const Bits *here = &bits(lo[1], z), *ahead = &bits(lo[1] + e[1], z + e[2]),
+                   *behind = &bits(lo[1] - e[1], z - e[2]);
+        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++) {
+          const uint64_t found = window & ~here->equal & seen_from<ex>(ahead->equal);
+          if (!found) continue;
+          const uint64_t fluid = found & here->negative;
+          if (fluid != found) hide(i, found & ~fluid, y, z);
+          const uint64_t free = seen_from<-ex>(behind->negative);
+          if (i <= L::P && (fluid & ~free)) add_gaps(i, fluid & ~free, y, z);
+          add_links(fluid & free, y, z);
+          if (open_faces) look_for_open_face(i, fluid & free, y, z);
+        }
+      }
+    }
+
+    void add_links(uint64_t found, int y, int z)
+    {
+      const std::size_t size = links.size, most = size + 64;
       if (links.q.size() < most) {
         const std::size_t room = std::max<std::size_t>(2 * most, 1024);
         links.q.resize(room);
         for (auto &component : links.place) component.resize(room);
       }
-      const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
-      for (; found; found &= found - 1) {
-        const int k = __builtin_ctzll(found);
-        if (open_faces && owner[row + k + back] == OUTSIDE) at_open_face.push_back(links.size);
-        links.place[0][links.size] = int16_t(x0 + k);
-        links.place[1][links.size] = int16_t(y);
-        links.place[2][links.size] = int16_t(z);
-        links.size++;
+      const int n = __builtin_popcountll(found);
+      for (int k = 0; k < n; k += 16) {    // y and z are those of the row: whole packs of them
+        store(&links.place[1][size + k], PackShort<16>{} + int16_t(y));
+        store(&links.place[2][size + k], PackShort<16>{} + int16_t(z));
       }
+      int16_t *x = &links.place[0][size];
+      for (; found; found &= found - 1) *x++ = int16_t(x0 + __builtin_ctzll(found));
+      links.size += n;
+    }
+
+    // of the links just added
+    void look_for_open_face(int i, uint64_t found, int y, int z)
+    {
+      const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
+      std::size_t link = links.size - __builtin_popcountll(found);
+      for (; found; found &= found - 1, link++)
+        if (owner[row + __builtin_ctzll(found) + back] == OUTSIDE) at_open_face.push_back(link);
     }
 
     void set_fractions(int i, std::size_t begin)
@@ -272,18 +341,27 @@ namespace {
     {
       const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
       for (; found; found &= found - 1) {
-        const int k = __builtin_ctzll(found), x = x0 + k;
-        const int32_t behind = owner[row + k + back];
-        const Vec3 b = cover.centre(behind);
-        links.gaps.push_back(
-            {{int16_t(x), int16_t(y), int16_t(z)},
-             int16_t(i),
-             int32_t(s),
-             behind,
-             cut({x - c[0], y - c[1], z - c[2]}, L::e[i], cover.spheres()[s].radius),
-             cut({x - b[0], y - b[1], z - b[2]}, L::e[opposite<L>(i)],
-                 cover.spheres()[behind].radius)});
+        const int k = __builtin_ctzll(found);
+        links.gaps_found.push_back({owner[row + k + back], {x0 + k, y, z}});
       }
+    }
+
+    void keep_gaps(int i)
+    {
+      auto &found = links.gaps_found;
+      if (found.empty()) return;
+      std::stable_sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+        return a.behind < b.behind;
+      });
+      const auto fraction = [&](const Int3 &x, int32_t sphere, int direction) {
+        const Vec3 &c = cover.centre(sphere);
+        return cut({x[0] - c[0], x[1] - c[1], x[2] - c[2]}, L::e[direction],
+                   cover.spheres()[sphere].radius);
+      };
+      for (const Links::GapFound &gap : found)
+        links.gaps.add(gap.x_f, i, int32_t(s), gap.behind, fraction(gap.x_f, int32_t(s), i),
+                       fraction(gap.x_f, gap.behind, opposite<L>(i)));
+      found.clear();
     }
   };
 

@@ -5,7 +5,7 @@
 //
 // Links are grouped by sphere and direction, so that what a group shares is known once per group.
 // If x_f' is covered too (a gap of one node), the two links of x_f along i depend on each other:
-// such a pair is one Gap. If x_f' lies behind an open face, q is set to 1/2, where every rule
+// such pairs are Gaps. If x_f' lies behind an open face, q is set to 1/2, where every rule
 // needs x_f alone.
 //
 // A fluid node with one fluid neighbour at most is a pocket, see fill_pockets() in lbm_refill.h.
@@ -27,12 +27,25 @@ struct LinkGroup {
   uint32_t begin, end;    // in the arrays of Links
 };
 
-// the pair of links of one node along i = 1..P and its opposite
-struct Gap {
-  std::array<int16_t, 3> place;    // x_f, in the coordinates of the block
-  int16_t direction;
+// pairs of links of one node along i = 1..P and its opposite, between the same two spheres
+struct GapGroup {
   int32_t ahead, behind;    // spheres that cover x_f + e_i and x_f - e_i
-  double q_ahead, q_behind;
+  int32_t direction;
+  uint32_t begin, end;    // in the arrays of Gaps
+};
+
+struct Gaps {
+  std::vector<GapGroup> groups;
+  std::vector<int16_t> place[3];    // x_f, in the coordinates of the block
+  std::vector<double> q_ahead, q_behind;
+
+  std::size_t size() const { return q_ahead.size(); }
+  void clear();
+  void trim();
+  double bytes() const;
+  // to the last group if that is of the same spheres and direction
+  void add(const Int3 &x_f, int direction, int32_t ahead, int32_t behind, double q_ahead,
+           double q_behind);
 };
 
 // Links between the nodes of two spheres that touch, or nearly, or of a sphere and what lies behind a
@@ -49,10 +62,16 @@ struct Links {
   std::vector<int16_t> place[3];    // x_f, in the coordinates of the block
   std::vector<double> q;
   std::size_t size = 0;    // entries in use of the arrays above
-  std::vector<Gap> gaps;
+  Gaps gaps;
   std::vector<uint32_t> pockets;    // fluid nodes, all neighbours but one covered or behind walls
   std::vector<Hidden> hidden;
-  std::vector<Bits> bits;    // scratch of find_links()
+  // scratch of find_links()
+  struct GapFound {
+    int32_t behind;
+    Int3 x_f;
+  };
+  std::vector<Bits> bits;
+  std::vector<GapFound> gaps_found;
 
   void clear();    // all but the pockets, which wait for the links of all spheres
   void trim();     // give back what is allocated and not in use, scratch too

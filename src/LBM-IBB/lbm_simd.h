@@ -8,6 +8,7 @@
 #ifndef LBM_SIMD_H
 #define LBM_SIMD_H
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -113,6 +114,17 @@ template <int W, class T> LBM_INLINE inline void scatter(T *p, const uint32_t *n
     p[*n] = T(v);
   else
     for (int k = 0; k < W; k++) p[n[k]] = T(v[k]);
+}
+
+template <class V> LBM_INLINE inline V root(const V &v)
+{
+  if constexpr (std::is_arithmetic_v<V>) {
+    return std::sqrt(v);
+  } else {
+    V r = v;
+    for (unsigned k = 0; k < sizeof(V) / sizeof(v[0]); k++) r[k] = std::sqrt(v[k]);
+    return r;
+  }
 }
 
 // Bits k = 0..63 of p[k] == value (or p[k] < 0). Reads 64 numbers.

@@ -163,8 +163,7 @@ template <class L, class Rule> class Channel {
           const double q = cut_at(p, i, meets), behind = cut_at(p, opposite<L>(i), other);
           if (meets != wall || q > 1.0) return;
           if (behind <= 1.0) {
-            const std::array<int16_t, 3> place{int16_t(p[0]), int16_t(p[1]), int16_t(p[2])};
-            if (i <= L::P) links.gaps.push_back({place, int16_t(i), wall, other, q, behind});
+            if (i <= L::P) links.gaps.add(p, i, wall, other, q, behind);
             return;
           }
           links.q.push_back(q);
