@@ -20,7 +20,7 @@ rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
 
-flags=(-std=c++17 -O3 -fno-math-errno -fno-trapping-math "-march=$arch" "$@"
+flags=(-std=c++17 "-march=$arch" "$@"
   -I "$root/src/LBM-IBB" -I "$root/unittest/testing")
 printf '%s\n' "$root"/src/LBM-IBB/lbm_*.cpp "$root"/unittest/core/test_{reference,lattice,planes,pockets}.cpp \
   "$root/unittest/testing/main.cpp" |

@@ -95,14 +95,15 @@ class FixLbIbb : public Fix {
   void start_clock();
   double speed() const;    // million nodes a second
 
-  // columns of array_atom, which is for all to see, and of history: force and torque before the last
-  // fluid step, those of that step alone, where the grain was then, fluid steps it has seen, the
-  // mean density excess around it, and the mass it will give back and that it swallowed
+  // columns of array_atom, which is for all to see, and of history: force and torque before the
+  // last fluid step, those of that step alone, where the grain was then, fluid steps it has seen,
+  // the mean density excess around it, and the mass it will give back and that it swallowed
   enum { FORCE = 0, TORQUE = 3, SHOWN = 6 };
-  enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, REFUND = 17, SWALLOWED = 18, COLUMNS = 19 };
+  enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, REFUND = 17, SWALLOWED = 18 };
+  static constexpr int COLUMNS = 19;
   double **history;
-  // by local and ghost atom; out go place, velocity, spin, EXCESS and REFUND, back come force, torque,
-  // the two sums whose ratio is the density excess, and the mass swallowed
+  // by local and ghost atom; out go place, velocity, spin, EXCESS and REFUND, back come force,
+  // torque, the two sums whose ratio is the density excess, and the mass swallowed
   enum { OUT = 11, BACK = 9 };
   double **ghosted;
   int nghosted;

@@ -57,8 +57,8 @@ bool is_free(int mask, const std::vector<Fix *> &fixes)
 
 }    // namespace
 
-// At the start of a run and when grains have come: an inertia of spheres is refused, masses that look
-// like those of spheres are warned of once a run. Collective.
+// At the start of a run and when grains have come: an inertia of spheres is refused, masses that
+// look like those of spheres are warned of once a run. Collective.
 void FixLbIbb::check_discs()
 {
   atoms_checked = atom->natoms;

@@ -42,15 +42,13 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
       units.tau(options.nu), 0.1 * units.sound_speed(), 0.3 * units.sound_speed());
   for (int d = 0; d < domain->dimension; d++)
     if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&
-        options.face[d][1].kind == lbm::FaceKind::PRESSURE) {
-      const double apart = domain->prd[d] - options.dx;
+        options.face[d][1].kind == lbm::FaceKind::PRESSURE)
       text += fmt::format("  pressure planes along {} are {:.8g} apart (box length - dx){}\n",
-                          "xyz"[d], apart,
+                          "xyz"[d], domain->prd[d] - options.dx,
                           // measured: a staggered momentum (-1)^(x+t) is then never damped
                           nodes[d] % 2 == 0 ? ""
                                             : "; start slowly: with an odd number of nodes between "
                                               "them a sudden start rings on every step");
-    }
   if (pressure_difference > 0.0)
     text += fmt::format("  pressure difference now {:.6g}: density change {:.3g} %\n",
                         pressure_difference, 100.0 * units.density_excess(pressure_difference));

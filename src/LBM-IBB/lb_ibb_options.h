@@ -41,7 +41,8 @@ struct LBFace {
 struct LBOptions {
   double dx, nu, rho;
   int every = 1, check = 100;
-  bool bgk = false, single = false, average = true, conserve = true, has_gradp = false, has_buoyancy = false;
+  bool bgk = false, single = false, average = true, conserve = true;
+  bool has_gradp = false, has_buoyancy = false;
   double magic = 3.0 / 16.0, shrink = 0.0;
   lbm::LinkRule link = lbm::LinkRule::CLI;
   lbm::RefillRule refill = lbm::RefillRule::GRAD;

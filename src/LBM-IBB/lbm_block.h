@@ -12,8 +12,8 @@
 // direction i at step t, lives in
 //     array i      at n          when t is even,
 //     array opp(i) at n - e_i    when t is odd.
-// A node reads its Q values, collides, and writes f*_i where it read N_t(opp(i)): streaming is done.
-// slots(t)[i][n] is N_t(i, n); nothing else in the solver knows the parity.
+// A node reads its Q values, collides, and writes f*_i where it read N_t(opp(i)): streaming is
+// done. slots(t)[i][n] is N_t(i, n); nothing else in the solver knows the parity.
 
 #ifndef LBM_BLOCK_H
 #define LBM_BLOCK_H
@@ -52,10 +52,10 @@ struct Layout {
 
 template <class L> using Slots = std::array<typename L::Real *, L::Q>;
 
-// zeros, aligned to memory pages, given back by free()
 struct Freed {
   void operator()(void *p) const;
 };
+// zeros, aligned to memory pages, to be given back by free(); throws std::bad_alloc
 void *zeroed_pages(std::size_t bytes);
 
 template <class L> class Block {

@@ -94,17 +94,17 @@ namespace {
     }
   };
 
-  // e.(u - u') of two walls in as much as they approach each other: along the mean of their normals,
-  // which point along the arms
+  // e.(u - u') of two walls in as much as they approach each other: along the mean of their
+  // normals, which point along the arms
   template <class V>
-  LBM_INLINE inline V approach(const V (&u)[2][3], const V (&arm)[2][3], const int (&e)[3])
+  LBM_INLINE inline V approach(const Wall<V> (&wall)[2], const V (&arm)[2][3], const int (&e)[3])
   {
     V length[2], n[3], along = V{}, nn = V{}, en = V{};
     for (int k = 0; k < 2; k++)
       length[k] = root(arm[k][0] * arm[k][0] + arm[k][1] * arm[k][1] + arm[k][2] * arm[k][2]);
     for (int d = 0; d < 3; d++) {
       n[d] = arm[0][d] * length[1] - arm[1][d] * length[0];
-      along = along + n[d] * (u[0][d] - u[1][d]);
+      along = along + n[d] * (wall[0].u[d] - wall[1].u[d]);
       nn = nn + n[d] * n[d];
       en = en + double(e[d]) * n[d];
     }
@@ -113,8 +113,8 @@ namespace {
 
   // Two links of one node that need each other's result: with f_o and f_i unknown,
   //     f_o = A + c2 f_i,  f_i = B + c2' f_o,  each rule's x_f' being the other's wall
-  // Walls that approach each other are taken half-way: they displace what they should, while the rules
-  // would say what happens in a channel of width q + q' without ends, by 1/(q + q') more.
+  // Walls that approach each other are taken half-way: they displace what they should, while the
+  // rules would say what happens in a channel of width q + q' without ends, by 1/(q + q') more.
   template <class L, class Rule, bool moving, int W>
   LBM_INLINE inline void close_gaps(const Layout &at, const Slots<L> &f, const Ends &ends, int i,
                                     const int16_t *const (&places)[3],
@@ -132,8 +132,7 @@ namespace {
     V q[2] = {load<V>(fractions[0]), load<V>(fractions[1])};
     const V room = q[0] + q[1], wider = room < GAP_MIN ? GAP_MIN / room : V{} + 1.0;
 
-    V known[2], c2[2], c4[2], back[2], arm[2][3], velocity[2][3], pushed[2] = {V{}, V{}}, rho = V{};
-    if constexpr (moving) rho = 1.0 + convert<V>(gather<W>(drho, n));
+    V known[2], c2[2], c4[2], back[2], arm[2][3], pushed[2] = {V{}, V{}};
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       q[k] = q[k] * wider;
@@ -143,16 +142,17 @@ namespace {
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
       c4[k] = c.c4;
-      if constexpr (moving) {
-        const Wall<V> wall(*ends.sphere[k], e, arm[k]);
-        for (int d = 0; d < 3; d++) velocity[k][d] = wall.u[d];
-        pushed[k] = (3.0 * L::w[i]) * rho * wall.eu;
-      }
     }
+    const Wall<V> wall[2] = {{*ends.sphere[0], L::e[i], arm[0]},
+                             {*ends.sphere[1], L::e[o], arm[1]}};
     V squeezed = V{};
     if constexpr (moving) {
-      squeezed = (1.5 * L::w[i]) * rho * approach(velocity, arm, L::e[i]);
-      for (int k = 0; k < 2; k++) known[k] = known[k] - c4[k] * (pushed[k] - squeezed);
+      const V rho = 1.0 + convert<V>(gather<W>(drho, n));
+      squeezed = (1.5 * L::w[i]) * rho * approach(wall, arm, L::e[i]);
+      for (int k = 0; k < 2; k++) {
+        pushed[k] = (3.0 * L::w[i]) * rho * wall[k].eu;
+        known[k] = known[k] - c4[k] * (pushed[k] - squeezed);
+      }
     }
     const V D = 1.0 / (1.0 - c2[0] * c2[1]);
     for (int k = 0; k < 2; k++) {
@@ -160,8 +160,7 @@ namespace {
       back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
       sums[k].swallowed = sums[k].swallowed + (out[k] - back[k] - 2.0 * pushed[k]);
       back[k] = back[k] + L::w[i] * ends.sphere[k]->refund;
-      const Wall<V> wall(*ends.sphere[k], e, arm[k]);
-      exchange<moving>(sums[k], e, L::w[i], out[k], back[k], arm[k], &wall);
+      exchange<moving>(sums[k], e, L::w[i], out[k], back[k], arm[k], &wall[k]);
     }
     scatter<W>(f[o], n, back[0]);
     scatter<W>(f[i], n, back[1]);

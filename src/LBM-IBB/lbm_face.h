@@ -27,8 +27,8 @@ using Faces = std::array<std::array<Face, 2>, 3>;
 using AtEnd = std::array<std::array<bool, 2>, 3>;
 
 // Half-way bounce-back with wall velocity (Ladd 1994): f_o(x_f) = f*_i(x_f) - 6 w_i e_i.u_w for all
-// directions i through a wall; a direction through the edge of two walls feels the velocity of both,
-// whatever their order. f are the slots of step t + 1.
+// directions i through a wall; a direction through the edge of two walls feels the velocity of
+// both, whatever their order. f are the slots of step t + 1.
 template <class L>
 void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, const AtEnd &at_end);
 

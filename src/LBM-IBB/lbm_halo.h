@@ -3,10 +3,10 @@
 // through it (5 of 19, 3 of 9).
 //
 // With in-place streaming (lbm_block.h) a value that crosses a face with array k, e_k pointing out
-// of the face, lies after an even sweep in the neighbour's boundary layer and is wanted in the ghost
-// layer here; after an odd sweep it lies in the ghost layer here and is wanted in the neighbour's
-// boundary layer: the same exchange read backwards. Directions one after the other carry values
-// across edges: forwards x, y, z; backwards z, y, x.
+// of the face, lies after an even sweep in the neighbour's boundary layer and is wanted in the
+// ghost layer here; after an odd sweep it lies in the ghost layer here and is wanted in the
+// neighbour's boundary layer: the same exchange read backwards. Directions one after the other
+// carry values across edges: forwards x, y, z; backwards z, y, x.
 
 #ifndef LBM_HALO_H
 #define LBM_HALO_H

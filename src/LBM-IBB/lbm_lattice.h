@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Velocity sets. Everything else in the solver is written once over such a descriptor.
 //
-// Lattice units throughout: spacing 1, time step 1, c_s^2 = 1/3. Real is what populations are stored and
-// collide in; everything else is computed in double precision.
-// Numbering of Mansouri et al. 2016: eq. 23 (D3Q19) and section 3.1 (D2Q9), arranged so that the
-// opposite of i = 1..P is i + P, with P the number of opposite pairs.
+// Lattice units throughout: spacing 1, time step 1, c_s^2 = 1/3. Real is what populations are
+// stored and collide in; everything else is computed in double precision. Numbering of Mansouri et
+// al. 2016: eq. 23 (D3Q19) and section 3.1 (D2Q9), arranged so that the opposite of i = 1..P is i +
+// P, with P the number of opposite pairs.
 
 #ifndef LBM_LATTICE_H
 #define LBM_LATTICE_H

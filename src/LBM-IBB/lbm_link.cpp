@@ -79,8 +79,8 @@ double Links::bytes() const
 
 namespace {
 
-  // The links of one sphere. Rows of nodes around it are turned into bits, one per node, 64 nodes at
-  // a time: the links of a row along one direction are then three shifts and as many ands.
+  // The links of one sphere. Rows of nodes around it are turned into bits, one per node, 64 nodes
+  // at a time: the links of a row along one direction are then three shifts and as many ands.
   template <class L> class Finder {
    public:
     Finder(const Layout &at, const Cover &cover, std::size_t s, const Region &region,

@@ -48,9 +48,9 @@ struct Gaps {
            double q_behind);
 };
 
-// Links between the nodes of two spheres that touch, or nearly, or of a sphere and what lies behind a
-// face of the box: no fluid is there to press the two apart. Sums over such links from nodes of t to
-// nodes of s; w weighs them as populations do.
+// Links between the nodes of two spheres that touch, or nearly, or of a sphere and what lies behind
+// a face of the box: no fluid is there to press the two apart. Sums over such links from nodes of t
+// to nodes of s; w weighs them as populations do.
 struct Hidden {
   int32_t s, t;    // t = FLUID: behind a face
   Vec3 we{},

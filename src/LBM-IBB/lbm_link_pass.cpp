@@ -11,7 +11,8 @@
 namespace lbm {
 namespace {
 
-  // what a core can count on of the last level of cache, and what of it the planes of a slab may take
+  // what a core can count on of the last level of cache, and what of it the planes of a slab may
+  // take
   constexpr double CACHE = 16.0 * (1 << 20), SLAB = 8.0 * (1 << 20);
 
   Region whole(const Layout &at)
@@ -70,7 +71,8 @@ void LinkPass<L>::start(const Cover &cover, bool moved, const float *drho, std::
   links_ = gaps_ = 0;
 }
 
-// nodes of this slab but its last plane, whose next is not swept yet, and the last of the one before
+// nodes of this slab but its last plane, whose next is not swept yet, and the last of the one
+// before
 template <class L> void LinkPass<L>::inner(int k, const Slots<L> &f)
 {
   if (!cut()) return;

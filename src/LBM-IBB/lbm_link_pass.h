@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // When links are found and bounce back: as soon as the sweep has left their nodes in the cache.
 //
-// A link needs x_f and its two neighbours along the link swept, and nothing from beyond the faces of the
-// block unless it lies in the block's outermost layer. So the sweep is cut into slabs of planes (across z,
-// in two dimensions across y); after each, the links of the inner nodes behind it are done, and those of
-// the outermost layer wait for the halo and the walls. From memory a link costs four times as much (Zen 5:
-// 21 ns instead of 5). A block that fits into the cache as a whole is not cut.
+// A link needs x_f and its two neighbours along the link swept, and nothing from beyond the faces
+// of the block unless it lies in the block's outermost layer. So the sweep is cut into slabs of
+// planes (across z, in two dimensions across y); after each, the links of the inner nodes behind it
+// are done, and those of the outermost layer wait for the halo and the walls. A link whose nodes
+// have to be fetched from memory costs up to four times as much as one in the cache (Zen 5, links
+// of spheres that stay: 21 ns, 5 ns). A block that fits into the cache as a whole is not cut.
+// Lattice units; places are those of the block.
 //
-// Links of spheres that move are found and used one sphere at a time; those of spheres that stay are found
-// once and kept.
+// Links of spheres that move are found and used one sphere at a time; those of spheres that stay
+// are found once and kept.
 
 #ifndef LBM_LINK_PASS_H
 #define LBM_LINK_PASS_H
@@ -26,8 +28,9 @@ template <class L> class LinkPass {
   // slab: planes of a slab; 0: chosen by the size of the cache
   LinkPass(const Layout &layout, LinkRule rule, int slab);
 
-  // Before the sweep of a step. drho: density excess by node, filled by the sweep, if surfaces move, else
-  // null; all three have to live until the end of the step. loads[s] gets what sphere s receives.
+  // Before the sweep of a step. drho: density excess by node, filled by the sweep, if surfaces
+  // move, else null; all three have to live until the end of the step. loads[s] gets what sphere s
+  // receives.
   void start(const Cover &cover, bool moved, const float *drho, std::vector<Load> &loads);
 
   int slabs() const { return (planes() + slab_ - 1) / slab_; }

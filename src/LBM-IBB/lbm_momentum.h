@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Momentum that a link gives to its sphere, and sums of it; see lbm_exchange.h. V is a number or a pack.
+// Momentum that a link gives to its sphere, and sums of it; formula and source: lbm_exchange.h.
+// Lattice units; V is a number or a pack.
 
 #ifndef LBM_MOMENTUM_H
 #define LBM_MOMENTUM_H
@@ -9,8 +10,8 @@
 
 namespace lbm {
 
-// what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed along
-// e alone, and torque then holds the sum of arm times pressure
+// what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed
+// along e alone, and torque then holds the sum of arm times pressure
 template <class V> struct Sums {
   V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{}, swallowed = V{};
   double links = 0.0;

@@ -8,7 +8,8 @@
 namespace lbm {
 namespace {
 
-  // Mean density excess of each plane; planes without fluid lie on the line between their neighbours
+  // Mean density excess of each plane; planes without fluid lie on the line between their
+  // neighbours
   std::vector<double> plane_means(const Planes &sums)
   {
     const int n = int(sums.fluid.size());

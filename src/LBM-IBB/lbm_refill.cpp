@@ -71,8 +71,9 @@ namespace {
       return now.inside(p[0], p[1], p[2]) && before.owner()[n] < 0 && now.owner()[n] < 0;
     }
 
-    // The neighbour on this side looks up the nodes of its boundary layer that are asked for. Blocks
-    // that meet in a face have the same extent along the other directions: a node is named by them.
+    // The neighbour on this side looks up the nodes of its boundary layer that are asked for.
+    // Blocks that meet in a face have the same extent along the other directions: a node is named
+    // by them.
     void ask(int d, int side, const std::vector<double> &wanted,
              const std::vector<Sample *> &answers)
     {

@@ -31,8 +31,8 @@ struct Uncovered {
 };
 std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now);
 
-// Fill them, between the link pass of step t - 1 and the sweep of step t; f are the slots of step t.
-// Collective over all blocks.
+// Fill them, between the link pass of step t - 1 and the sweep of step t; f are the slots of step
+// t. Collective over all blocks.
 template <class L>
 void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
                  const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
@@ -42,10 +42,10 @@ template <class L>
 void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
                         double drho_mean, const Vec3 &force, RefillCount &count);
 
-// Fluid nodes with no fluid neighbour or one, all others being covered or behind walls, after the link
-// pass; f as above. Little or nothing can flow in or out on this lattice, though water could: left
-// alone, such a node is pumped up or emptied by the smallest motion, and presses on its spheres
-// accordingly. It gets the equilibrium of their mean velocity and,
+// Fluid nodes with no fluid neighbour or one, all others being covered or behind walls, after the
+// link pass; f as above. Little or nothing can flow in or out on this lattice, though water could:
+// left alone, such a node is pumped up or emptied by the smallest motion, and presses on its
+// spheres accordingly. It gets the equilibrium of their mean velocity and,
 //   without a fluid neighbour, of the mean density around them;
 //   with one, of the mass it had and has exchanged with that neighbour.
 template <class L>

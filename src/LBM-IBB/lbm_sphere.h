@@ -48,9 +48,10 @@ struct Load {
   double drho() const { return area > 0.0 ? pressing / area : 0.0; }
 };
 
-// Interpolated links do not return all the mass they get, or more: what a sphere swallowed in the last
-// two steps, half of each, is spread evenly over its links in the next. Evenly, so that no force comes
-// of it; two, because links ring from step to step. What is lost is thus at most what one step loses.
+// Interpolated links do not return all the mass they get, or more: what a sphere swallowed in the
+// last two steps, half of each, is spread evenly over its links in the next. Evenly, so that no
+// force comes of it; two, because links ring from step to step. What is lost is thus at most what
+// one step loses.
 inline double refund(double swallowed, double swallowed_before, double area)
 {
   return area > 0.0 ? (swallowed + swallowed_before) / area : 0.0;

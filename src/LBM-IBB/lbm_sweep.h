@@ -30,8 +30,8 @@ struct MovingSolids {
   float *drho;
 };
 
-// Hardware reads ahead on some ten streams, not on 19: 512 bytes ahead is 1.6 times as fast (Zen 5, one
-// core), while D2Q9 loses a seventh by being told.
+// Hardware reads ahead on some ten streams, not on 19: 512 bytes ahead is 1.6 times as fast (Zen 5,
+// one core), while D2Q9 loses a seventh by being told.
 template <class L> LBM_INLINE inline void read_ahead(const typename L::Real *p)
 {
   if constexpr (L::Q > 9) __builtin_prefetch(p + 512 / sizeof(typename L::Real), 1);
