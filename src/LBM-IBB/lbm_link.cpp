@@ -74,7 +74,7 @@ void Links::trim()
 double Links::bytes() const
 {
   return held(q) + 3 * held(place[0]) + held(groups) + gaps.bytes() + held(pockets) + held(hidden) +
-      held(bits);
+      held(bits) + held(gaps_found);
 }
 
 namespace {
