@@ -32,8 +32,8 @@ template <class L> void update(Block<L> &block)
       const Index row = at.index(0, y, z);
       for (Index n = row; n + W <= row + at.n[0]; n += W) {
         Pack<W, Real> f[L::Q];
+        if constexpr (READS_AHEAD<L>) read_ahead<L>(p, n);
         unroll<L::Q>([&](auto i) LBM_INLINE {
-          read_ahead<L>(p[i] + n);
           f[i] = load<Pack<W, Real>>(p[i] + n);
         });
         unroll<L::Q>([&](auto i) LBM_INLINE {

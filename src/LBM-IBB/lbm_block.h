@@ -31,6 +31,12 @@ using Index = std::int64_t;
 using Int3 = std::array<int, 3>;
 using Vec3 = std::array<double, 3>;
 
+// nodes of the block, both corners among them
+struct Region {
+  Int3 lo, hi;
+  bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
+};
+
 // Where nodes lie in memory; shared by populations and by maps of the same box
 struct Layout {
   Int3 lo, n;    // first owned node of the whole lattice, owned nodes along x, y, z
@@ -48,6 +54,7 @@ struct Layout {
     return x >= 0 && x < n[0] && y >= 0 && y < n[1] && z >= 0 && z < n[2];
   }
   Index nodes() const { return Index(n[0]) * n[1] * n[2]; }
+  Region all() const { return {{0, 0, 0}, {n[0] - 1, n[1] - 1, n[2] - 1}}; }
 };
 
 template <class L> using Slots = std::array<typename L::Real *, L::Q>;

@@ -71,7 +71,9 @@ class Cover {
   std::vector<Vec3> centres_;
   std::vector<Rows> rows_;
   std::vector<Run> runs_;
-  std::vector<int32_t> map_;    // 64 more than nodes: rows are read in pieces of 64
+  // rows are read in pieces of 64, and up to 144 nodes ahead
+  static constexpr int READ_PAST = 192;
+  std::vector<int32_t> map_;
   bool open_;                   // is any ghost behind an open face?
 
   void find_rows(const Sphere &sphere, const Vec3 &c);

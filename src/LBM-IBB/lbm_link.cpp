@@ -89,10 +89,10 @@ namespace {
         cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)),
         open_faces(cover.has_open_faces()), links(links), first_hidden(links.hidden.size())
     {
-      const double reach = cover.spheres()[s].radius + 1.0;
-      for (int d = 0; d < 3; d++) {    // fluid nodes that can have a link
-        lo[d] = std::max(int(std::ceil(c[d] - reach)), region.lo[d]);
-        hi[d] = std::min(int(std::floor(c[d] + reach)), region.hi[d]);
+      const Region near = nodes_with_links(cover, s);
+      for (int d = 0; d < 3; d++) {
+        lo[d] = std::max(near.lo[d], region.lo[d]);
+        hi[d] = std::min(near.hi[d], region.hi[d]);
       }
     }
 
@@ -366,6 +366,17 @@ namespace {
   };
 
 }    // namespace
+
+Region nodes_with_links(const Cover &cover, std::size_t s)
+{
+  const double reach = cover.spheres()[s].radius + 1.0;
+  Region region;
+  for (int d = 0; d < 3; d++) {
+    region.lo[d] = int(std::ceil(cover.centre(s)[d] - reach));
+    region.hi[d] = int(std::floor(cover.centre(s)[d] + reach));
+  }
+  return region;
+}
 
 template <class L>
 void find_links(const Layout &at, const Cover &cover, std::size_t s, const Region &region,

@@ -88,10 +88,8 @@ inline double cut(const Vec3 &d, const int (&e)[3], double radius)
   return q > 1.0 ? 1.0 : (q > Q_MIN ? q : Q_MIN);
 }
 
-// nodes of the block, both corners among them
-struct Region {
-  Int3 lo, hi;
-};
+// the fluid nodes that can have a link to sphere s are among these
+Region nodes_with_links(const Cover &cover, std::size_t s);
 
 // append the links of sphere s from nodes of the region
 template <class L>

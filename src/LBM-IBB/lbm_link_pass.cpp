@@ -6,52 +6,14 @@
 #include "lbm_exchange.h"
 #include "lbm_refill.h"
 
-#include <algorithm>
+#include <numeric>
 
 namespace lbm {
-namespace {
-
-  // what a core can count on of the last level of cache, and what of it the planes of a slab may
-  // take
-  constexpr double CACHE = 16.0 * (1 << 20), SLAB = 8.0 * (1 << 20);
-
-  Region whole(const Layout &at)
-  {
-    return {{0, 0, 0}, {at.n[0] - 1, at.n[1] - 1, at.n[2] - 1}};
-  }
-
-  // the outermost layer in parts that do not overlap; what is left is inside
-  std::vector<Region> shell(Region &left, int dimension)
-  {
-    std::vector<Region> layers;
-    for (int d = dimension - 1; d >= 0; d--)
-      for (int side = 0; side < 2 && left.lo[d] <= left.hi[d]; side++) {
-        Region layer = left;
-        if (side == 0)
-          layer.hi[d] = left.lo[d]++;
-        else
-          layer.lo[d] = left.hi[d]--;
-        layers.push_back(layer);
-      }
-    return layers;
-  }
-
-}    // namespace
 
 template <class L>
-LinkPass<L>::LinkPass(const Layout &layout, LinkRule rule, int slab) :
-    at_(layout), rule_(rule), slab_(slab), inner_(whole(layout))
+LinkPass<L>::LinkPass(const Layout &layout, LinkRule rule, const Int3 &tile) :
+    at_(layout), rule_(rule), tiles_(layout, L::D, sizeof(typename L::Real) * double(L::Q), tile)
 {
-  const double bytes_a_plane =
-      sizeof(typename L::Real) * double(L::Q) * double(at_.size) / double(planes());
-  if (slab_ == 0)
-    slab_ = bytes_a_plane * planes() < CACHE ? planes()
-                                             : std::max(4, int(SLAB / bytes_a_plane) - 2);
-  slab_ = std::min(slab_, planes());
-  if (cut())
-    shell_ = shell(inner_, L::D);
-  else
-    shell_ = {inner_};
 }
 
 template <class L>
@@ -63,50 +25,72 @@ void LinkPass<L>::start(const Cover &cover, bool moved, const float *drho, std::
   moved_ = moved;
   if (moved_) kept_ = false;
   if (kept_) return;
-  lists_.resize(moved_ ? 1 : slabs() + 1);
+  lists_.resize(moved_ ? 1 : tiles_.count() + 1);
   for (Links &list : lists_) {
     list.clear();
     list.pockets.clear();
   }
   links_ = gaps_ = 0;
+  if (tiles_.cut()) find_near();
 }
 
-// nodes of this slab but its last plane, whose next is not swept yet, and the last of the one
-// before
-template <class L> void LinkPass<L>::inner(int k, const Slots<L> &f)
+template <class L> void LinkPass<L>::find_near()
 {
-  if (!cut()) return;
-  Region region = inner_;
-  region.lo[OUTER] = std::max(region.lo[OUTER], first_plane(k) - 1);
-  region.hi[OUTER] = std::min(region.hi[OUTER], first_plane(k + 1) - 2);
-  part(k, {region}, f);
+  const auto for_each_tile = [&](std::size_t s, auto &&f) {
+    tiles_.for_each_behind(nodes_with_links(*cover_, s), f);
+  };
+  const std::size_t spheres = cover_->spheres().size();
+  first_near_.assign(tiles_.count() + 1, 0);
+  for (std::size_t s = 0; s < spheres; s++)
+    for_each_tile(s, [&](std::size_t k) {
+      first_near_[k]++;
+    });
+  // each entry is the end of its tile, and goes back to the beginning as the tile is filled
+  std::partial_sum(first_near_.begin(), first_near_.end(), first_near_.begin());
+  near_.resize(first_near_.back());
+  for (std::size_t s = spheres; s-- > 0;)
+    for_each_tile(s, [&](std::size_t k) {
+      near_[--first_near_[k]] = uint32_t(s);
+    });
+}
+
+template <class L> void LinkPass<L>::inner(std::size_t k, const Slots<L> &f)
+{
+  if (!tiles_.cut()) return;
+  if (!kept_)
+    for (std::size_t n = first_near_[k]; n < first_near_[k + 1]; n++)
+      find(near_[n], tiles_.behind(k), list(k), f);
+  if (!moved_) bounce_kept(k, f);
 }
 
 template <class L> void LinkPass<L>::outermost(const Slots<L> &f)
 {
-  part(slabs(), shell_, f);
-  if (!moved_) kept_ = true;
+  if (!kept_)
+    for (std::size_t s = 0; s < cover_->spheres().size(); s++)
+      for (const Region &region : tiles_.shell()) find(s, region, list(tiles_.count()), f);
+  if (!moved_) {
+    bounce_kept(tiles_.count(), f);
+    kept_ = true;
+  }
 }
 
-template <class L>
-void LinkPass<L>::part(std::size_t k, const std::vector<Region> &regions, const Slots<L> &f)
+template <class L> void LinkPass<L>::bounce_kept(std::size_t k, const Slots<L> &f)
 {
-  Links &list = moved_ ? lists_[0] : lists_[k];
-  if (!kept_) {
-    for (std::size_t s = 0; s < cover_->spheres().size(); s++)
-      for (const Region &region : regions) {
-        const std::size_t links = list.size, gaps = list.gaps.size();
-        find_links<L>(at_, *cover_, s, region, list);
-        links_ += list.size - links + 2 * (list.gaps.size() - gaps);
-        gaps_ += list.gaps.size() - gaps;
-        if (!moved_) continue;
-        bounce(list, f);
-        list.clear();
-      }
-    if (moved_) return;
-    list.trim();
-  }
+  if (!kept_) lists_[k].trim();
+  bounce(lists_[k], f);
+}
+
+// links of one sphere; if it moves they are used at once
+template <class L>
+void LinkPass<L>::find(std::size_t s, const Region &region, Links &list, const Slots<L> &f)
+{
+  const std::size_t links = list.size, gaps = list.gaps.size();
+  find_links<L>(at_, *cover_, s, region, list);
+  links_ += list.size - links + 2 * (list.gaps.size() - gaps);
+  gaps_ += list.gaps.size() - gaps;
+  if (!moved_) return;
   bounce(list, f);
+  list.clear();
 }
 
 template <class L> void LinkPass<L>::bounce(const Links &links, const Slots<L> &f)
@@ -140,7 +124,7 @@ template <class L> double LinkPass<L>::bytes() const
 {
   double sum = 0.0;
   for (const Links &list : lists_) sum += list.bytes();
-  return sum;
+  return sum + double((first_near_.capacity() + near_.capacity()) * sizeof(uint32_t));
 }
 
 #define LBM_INSTANTIATE(L) template class LinkPass<L>;

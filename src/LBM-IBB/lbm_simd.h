@@ -84,6 +84,19 @@ template <int W, class V> LBM_INLINE inline V where_fluid(const PackInt<W> &owne
   }
 }
 
+// is any of W numbers negative?
+template <int W> LBM_INLINE inline bool any_negative(const int32_t *p)
+{
+  if constexpr (W == 1) {
+    return *p < 0;
+  } else {
+    uint64_t pair[W / 2], any = 0;
+    std::memcpy(pair, p, sizeof(pair));
+    for (uint64_t two : pair) any |= two;
+    return any & 0x8000000080000000u;
+  }
+}
+
 // number by number, to a pack of another type
 template <class To, class From> LBM_INLINE inline To convert(const From &v)
 {

@@ -17,7 +17,7 @@ namespace {
     FluidOn(const Settings &settings, const Layout &at, const Int3 &global,
             Neighbours &neighbours) :
         settings(settings),
-        at(at), block(at), halo(at, neighbours), pass(at, settings.link, settings.slab),
+        at(at), block(at), halo(at, neighbours), pass(at, settings.link, settings.tile),
         neighbours(neighbours), collide(settings.bgk ? Trt<L>::bgk(settings.tau)
                                                      : Trt<L>::trt(settings.tau, settings.magic))
     {
@@ -57,7 +57,7 @@ namespace {
       if (spheres_here())
         collide_stream_and_bounce(loads);
       else
-        collide_and_stream(0, at.n[L::D - 1]);
+        collide_and_stream(at.all());
       halo.exchange(block);
       block.advance();
       bounce_at_walls<L>(at, block.slots(), settings.faces, at_end);
@@ -145,31 +145,31 @@ namespace {
       return s;
     }
 
-    template <class Force> void sweep_with(const Force &f, int first, int end)
+    template <class Force> void sweep_with(const Force &f, const Region &region)
     {
       if (!spheres_here())
-        sweep(block, collide, f, NoSolids{}, first, end);
+        sweep(block, collide, f, NoSolids{}, region);
       else if (!moving)
-        sweep(block, collide, f, Solids{owner()}, first, end);
+        sweep(block, collide, f, Solids{owner()}, region);
       else
-        sweep(block, collide, f, MovingSolids{owner(), drho.data()}, first, end);
+        sweep(block, collide, f, MovingSolids{owner(), drho.data()}, region);
     }
 
-    void collide_and_stream(int first, int end)
+    void collide_and_stream(const Region &region)
     {
       if (force == Vec3{})
-        sweep_with(NoForce{}, first, end);
+        sweep_with(NoForce{}, region);
       else
-        sweep_with(UniformForce{force}, first, end);
+        sweep_with(UniformForce{force}, region);
     }
 
-    // the links of each slab while it is in the cache
+    // the links of each tile while it is in the cache
     void collide_stream_and_bounce(std::vector<Load> &loads)
     {
       if (moving) drho.resize(at.size);
       pass.start(*now, moved, moving ? drho.data() : nullptr, loads);
-      for (int k = 0; k < pass.slabs(); k++) {
-        collide_and_stream(pass.first_plane(k), pass.first_plane(k + 1));
+      for (std::size_t k = 0; k < pass.tiles().count(); k++) {
+        collide_and_stream(pass.tiles().swept(k));
         pass.inner(k, block.slots(block.step() + 1));
       }
     }

@@ -29,7 +29,7 @@ struct Settings {
   double magic = 3.0 / 16.0;    // Lambda = (tau+ - 1/2)(tau- - 1/2)
   LinkRule link = LinkRule::CLI;
   RefillRule refill = RefillRule::GRAD;
-  int slab = 0;    // planes swept before their links; 0: by the size of the cache
+  Int3 tile{};     // nodes swept before their links; 0: by the size of the cache
   Faces faces;     // of the whole box
 };
 

@@ -300,12 +300,12 @@ TEST_P(Equal, ToPlainSolver)
   compare(GetParam());
 }
 
-// links between the slabs of a sweep, as in blocks that are too large for the cache
-TEST_P(Equal, ToPlainSolverInSlabs)
+// links between the tiles of a sweep, as in blocks that are too large for the cache
+TEST_P(Equal, ToPlainSolverInTiles)
 {
-  for (int slab : {1, 2, 5}) {
+  for (const Int3 &tile : {Int3{64, 64, 1}, Int3{64, 2, 3}, Int3{8, 5, 5}, Int3{1, 1, 1}}) {
     Case c = GetParam();
-    c.settings.slab = slab;
+    c.settings.tile = tile;
     compare(c);
   }
 }

@@ -181,7 +181,7 @@ void moving_crowd(int dimension)
     s.settings.tau = 0.65;
     s.settings.bgk = rule == LinkRule::BOUZIDI;
     s.settings.link = rule;
-    s.settings.slab = rule == LinkRule::HALFWAY ? 0 : 3;
+    s.settings.tile = rule == LinkRule::HALFWAY ? Int3{} : Int3{8, 3, 3};
     s.settings.refill = rule == LinkRule::BOUZIDI ? RefillRule::EQUILIBRIUM : RefillRule::GRAD;
     s.n = dimension == 3 ? Int3{19, 13, 14} : Int3{37, 26, 1};
     s.force = {1e-4, -1e-4, dimension == 3 ? 2e-4 : 0.0};
