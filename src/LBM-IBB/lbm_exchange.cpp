@@ -12,26 +12,17 @@ namespace {
 
   // less than a pack of links, filled with copies of the last: they bounce back alike
   template <int W> struct Tail {
-    int16_t place[3][W];
+    int32_t node[W];
     double q[W];
-    Tail(const std::vector<int16_t> (&places)[3], const std::vector<double> &fractions,
-         std::size_t k, std::size_t end)
+    Tail(const std::vector<int32_t> &nodes, const std::vector<double> &fractions, std::size_t k,
+         std::size_t end)
     {
       for (int l = 0; l < W; l++, k += k + 1 < end) {
-        for (int d = 0; d < 3; d++) place[d][l] = places[d][k];
+        node[l] = nodes[k];
         q[l] = fractions[k];
       }
     }
   };
-
-  // indices of nodes; they fit, if not their parts, so that sums modulo 2^32 are right
-  template <int W>
-  LBM_INLINE inline PackUnsigned<W> index(const Layout &at, const PackInt<W> (&place)[3])
-  {
-    using U = PackUnsigned<W>;
-    return U(place[0]) + U(place[1]) * uint32_t(at.stride_y) + U(place[2]) * uint32_t(at.stride_z) +
-        uint32_t(at.origin);
-  }
 
   // the slots that a link along i uses, see lbm_block.h: each is one address per node
   template <class L> struct LinkSlots {
@@ -49,19 +40,16 @@ namespace {
 
   template <class L, class Rule, bool moving, int W>
   LBM_INLINE inline void
-  bounce_back_pack(const Layout &at, const LinkSlots<L> &slot, const Sphere &sphere,
+  bounce_back_pack(const Decoder &decode, const LinkSlots<L> &slot, const Sphere &sphere,
                    const Vec3 &centre, const int (&e)[3], double weight, double refund,
-                   const int16_t *const (&places)[3], const double *fractions, const float *drho,
+                   const int32_t *n, const double *fractions, const float *drho,
                    Sums<Pack<W>> &sums)
   {
     using V = Pack<W>;
-    PackInt<W> place[3];
-    for (int d = 0; d < 3; d++) place[d] = convert<PackInt<W>>(load<PackShort<W>>(places[d]));
     const V q = load<V>(fractions);
     V arm[3];    // x_w - c
-    for (int d = 0; d < 3; d++) arm[d] = convert<V>(place[d]) - centre[d] + double(e[d]) * q;
-    uint32_t n[W];
-    store(n, index<W>(at, place));
+    decode(load<PackInt<W>>(n), arm);
+    for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
     const Coefficients<V> c = Rule::template at<V>(q);
     const V out = convert<V>(gather<W>(slot.r1, n));
     V back = c.c1 * out;
@@ -117,17 +105,16 @@ namespace {
   // rules would say what happens in a channel of width q + q' without ends, by 1/(q + q') more.
   template <class L, class Rule, bool moving, int W>
   LBM_INLINE inline void close_gaps(const Layout &at, const Slots<L> &f, const Ends &ends, int i,
-                                    const int16_t *const (&places)[3],
-                                    const double *const (&fractions)[2], const float *drho,
+                                    const int32_t *n, const double *const (&fractions)[2],
+                                    const float *drho,
                                     Sums<Pack<W>> (&sums)[2])
   {
     using V = Pack<W>;
     const int o = opposite<L>(i);
     const LinkSlots<L> slot(at, f, i);
-    PackInt<W> place[3];
-    for (int d = 0; d < 3; d++) place[d] = convert<PackInt<W>>(load<PackShort<W>>(places[d]));
-    uint32_t n[W];
-    store(n, index<W>(at, place));
+    V x[3];
+    const Decoder decode(at);
+    decode(load<PackInt<W>>(n), x);
     const V out[2] = {convert<V>(gather<W>(slot.r1, n)), convert<V>(gather<W>(slot.r3, n))};
     V q[2] = {load<V>(fractions[0]), load<V>(fractions[1])};
     const V room = q[0] + q[1], wider = room < GAP_MIN ? GAP_MIN / room : V{} + 1.0;
@@ -137,7 +124,7 @@ namespace {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       q[k] = q[k] * wider;
       for (int d = 0; d < 3; d++)
-        arm[k][d] = convert<V>(place[d]) - ends.centre[k][d] + double(e[d]) * q[k];
+        arm[k][d] = x[d] - ends.centre[k][d] + double(e[d]) * q[k];
       const Coefficients<V> c = Rule::template at<V>(q[k]);
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
@@ -177,15 +164,14 @@ namespace {
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
       close_gaps<L, Rule, moving, W>(at, f, ends, i,
-                                     {&gaps.place[0][k], &gaps.place[1][k], &gaps.place[2][k]},
-                                     {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho, sums);
+                                     &gaps.node[k], {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho,
+                                     sums);
     if (k < group.end) {
-      const Tail<W> ahead(gaps.place, gaps.q_ahead, k, group.end),
-          behind(gaps.place, gaps.q_behind, k, group.end);
+      const Tail<W> ahead(gaps.node, gaps.q_ahead, k, group.end),
+          behind(gaps.node, gaps.q_behind, k, group.end);
       Sums<Pack<W>> with_copies[2];
       close_gaps<L, Rule, moving, W>(at, f, ends, i,
-                                     {ahead.place[0], ahead.place[1], ahead.place[2]},
-                                     {ahead.q, behind.q}, drho, with_copies);
+                                     ahead.node, {ahead.q, behind.q}, drho, with_copies);
       for (int side = 0; side < 2; side++)
         sums[side].add_first(with_copies[side], int(group.end - k));
     }
@@ -227,6 +213,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
                  const float *drho, std::vector<Load> &loads)
 {
   constexpr int W = SIMD_WIDTH;
+  const Decoder decode(at);
   for (const LinkGroup &group : links.groups) {
     const int i = group.direction;
     const LinkSlots<L> slot(at, f, i);
@@ -234,18 +221,17 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const Vec3 c = cover.centre(group.sphere);
     const double refund = L::w[i] * sphere.refund;
     Sums<Pack<W>> sums;
-    const auto bounce_pack = [&](const int16_t *const(&places)[3], const double *q,
-                                 auto &to) LBM_INLINE {
-      bounce_back_pack<L, Rule, moving, W>(at, slot, sphere, c, L::e[i], L::w[i], refund, places, q,
-                                           drho, to);
+    const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to) LBM_INLINE {
+      bounce_back_pack<L, Rule, moving, W>(decode, slot, sphere, c, L::e[i], L::w[i], refund, nodes,
+                                           q, drho, to);
     };
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
-      bounce_pack({&links.place[0][k], &links.place[1][k], &links.place[2][k]}, &links.q[k], sums);
+      bounce_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {
-      const Tail<W> tail(links.place, links.q, k, group.end);
+      const Tail<W> tail(links.node, links.q, k, group.end);
       Sums<Pack<W>> with_copies;
-      bounce_pack({tail.place[0], tail.place[1], tail.place[2]}, tail.q, with_copies);
+      bounce_pack(tail.node, tail.q, with_copies);
       sums.add_first(with_copies, int(group.end - k));
     }
     sums.links = double(group.end - group.begin);

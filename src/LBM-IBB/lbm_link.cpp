@@ -18,7 +18,7 @@ namespace {
 void Gaps::clear()
 {
   groups.clear();
-  for (auto &component : place) component.clear();
+  node.clear();
   q_ahead.clear();
   q_behind.clear();
 }
@@ -26,23 +26,23 @@ void Gaps::clear()
 void Gaps::trim()
 {
   groups.shrink_to_fit();
-  for (auto &component : place) component.shrink_to_fit();
+  node.shrink_to_fit();
   q_ahead.shrink_to_fit();
   q_behind.shrink_to_fit();
 }
 
 double Gaps::bytes() const
 {
-  return held(groups) + 3 * held(place[0]) + held(q_ahead) + held(q_behind);
+  return held(groups) + held(node) + held(q_ahead) + held(q_behind);
 }
 
-void Gaps::add(const Int3 &x_f, int direction, int32_t ahead, int32_t behind, double ahead_at,
+void Gaps::add(int32_t x_f, int direction, int32_t ahead, int32_t behind, double ahead_at,
                double behind_at)
 {
   if (groups.empty() || groups.back().ahead != ahead || groups.back().behind != behind ||
       groups.back().direction != direction)
     groups.push_back({ahead, behind, direction, uint32_t(size()), uint32_t(size())});
-  for (int d = 0; d < 3; d++) place[d].push_back(int16_t(x_f[d]));
+  node.push_back(x_f);
   q_ahead.push_back(ahead_at);
   q_behind.push_back(behind_at);
   groups.back().end++;
@@ -63,7 +63,7 @@ void Links::trim()
     list.shrink_to_fit();
   };
   fit(q);
-  for (auto &component : place) fit(component);
+  fit(node);
   groups.shrink_to_fit();
   gaps.trim();
   hidden.shrink_to_fit();
@@ -73,7 +73,7 @@ void Links::trim()
 
 double Links::bytes() const
 {
-  return held(q) + 3 * held(place[0]) + held(groups) + gaps.bytes() + held(pockets) + held(hidden) +
+  return held(q) + held(node) + held(groups) + gaps.bytes() + held(pockets) + held(hidden) +
       held(bits) + held(gaps_found);
 }
 
@@ -86,7 +86,7 @@ namespace {
     Finder(const Layout &at, const Cover &cover, std::size_t s, const Region &region,
            Links &links) :
         at(at),
-        cover(cover), s(s), owner(cover.owner()), c(cover.centre(s)),
+        cover(cover), decode(at), s(s), owner(cover.owner()), c(cover.centre(s)),
         open_faces(cover.has_open_faces()), links(links), first_hidden(links.hidden.size())
     {
       const Region near = nodes_with_links(cover, s);
@@ -114,6 +114,7 @@ namespace {
    private:
     const Layout &at;
     const Cover &cover;
+    const Decoder decode;
     const std::size_t s;
     const int32_t *owner;
     const Vec3 c;
@@ -239,20 +240,16 @@ namespace {
 
     void add_links(uint64_t found, int y, int z)
     {
-      const std::size_t size = links.size, most = size + 64;
+      const std::size_t most = links.size + 64;
       if (links.q.size() < most) {
         const std::size_t room = std::max<std::size_t>(2 * most, 1024);
         links.q.resize(room);
-        for (auto &component : links.place) component.resize(room);
+        links.node.resize(room);
       }
-      const int n = __builtin_popcountll(found);
-      for (int k = 0; k < n; k += 16) {    // y and z are those of the row: whole packs of them
-        store(&links.place[1][size + k], PackShort<16>{} + int16_t(y));
-        store(&links.place[2][size + k], PackShort<16>{} + int16_t(z));
-      }
-      int16_t *x = &links.place[0][size];
-      for (; found; found &= found - 1) *x++ = int16_t(x0 + __builtin_ctzll(found));
-      links.size += n;
+      const int32_t row = int32_t(at.index(x0, y, z));
+      int32_t *node = &links.node[links.size];
+      links.size += __builtin_popcountll(found);
+      for (; found; found &= found - 1) *node++ = row + __builtin_ctzll(found);
     }
 
     // of the links just added
@@ -267,13 +264,15 @@ namespace {
     void set_fractions(int i, std::size_t begin)
     {
       const double r = cover.spheres()[s].radius;
-      const int16_t *x = links.place[0].data(), *y = links.place[1].data(),
-                    *z = links.place[2].data();
+      const int32_t *node = links.node.data();
       double *q = links.q.data();
       const int(&e)[3] = L::e[i];
 #pragma GCC ivdep
-      for (std::size_t k = begin; k < links.size; k++)
-        q[k] = cut({x[k] - c[0], y[k] - c[1], z[k] - c[2]}, e, r);
+      for (std::size_t k = begin; k < links.size; k++) {
+        double x[3];
+        decode(node[k], x);
+        q[k] = cut({x[0] - c[0], x[1] - c[1], x[2] - c[2]}, e, r);
+      }
       for (std::size_t k : at_open_face) q[k] = 0.5;
       at_open_face.clear();
     }
@@ -342,7 +341,7 @@ namespace {
       const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
       for (; found; found &= found - 1) {
         const int k = __builtin_ctzll(found);
-        links.gaps_found.push_back({owner[row + k + back], {x0 + k, y, z}});
+        links.gaps_found.push_back({owner[row + k + back], int32_t(row + k)});
       }
     }
 
@@ -353,14 +352,16 @@ namespace {
       std::stable_sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
         return a.behind < b.behind;
       });
-      const auto fraction = [&](const Int3 &x, int32_t sphere, int direction) {
+      const auto fraction = [&](int32_t node, int32_t sphere, int direction) {
         const Vec3 &c = cover.centre(sphere);
+        double x[3];
+        decode(node, x);
         return cut({x[0] - c[0], x[1] - c[1], x[2] - c[2]}, L::e[direction],
                    cover.spheres()[sphere].radius);
       };
       for (const Links::GapFound &gap : found)
-        links.gaps.add(gap.x_f, i, int32_t(s), gap.behind, fraction(gap.x_f, int32_t(s), i),
-                       fraction(gap.x_f, gap.behind, opposite<L>(i)));
+        links.gaps.add(gap.node, i, int32_t(s), gap.behind, fraction(gap.node, int32_t(s), i),
+                       fraction(gap.node, gap.behind, opposite<L>(i)));
       found.clear();
     }
   };

@@ -36,7 +36,7 @@ struct GapGroup {
 
 struct Gaps {
   std::vector<GapGroup> groups;
-  std::vector<int16_t> place[3];    // x_f, in the coordinates of the block
+  std::vector<int32_t> node;    // index of x_f
   std::vector<double> q_ahead, q_behind;
 
   std::size_t size() const { return q_ahead.size(); }
@@ -44,7 +44,7 @@ struct Gaps {
   void trim();
   double bytes() const;
   // to the last group if that is of the same spheres and direction
-  void add(const Int3 &x_f, int direction, int32_t ahead, int32_t behind, double q_ahead,
+  void add(int32_t node, int direction, int32_t ahead, int32_t behind, double q_ahead,
            double q_behind);
 };
 
@@ -59,7 +59,7 @@ struct Hidden {
 
 struct Links {
   std::vector<LinkGroup> groups;
-  std::vector<int16_t> place[3];    // x_f, in the coordinates of the block
+  std::vector<int32_t> node;    // index of x_f
   std::vector<double> q;
   std::size_t size = 0;    // entries in use of the arrays above
   Gaps gaps;
@@ -67,8 +67,7 @@ struct Links {
   std::vector<Hidden> hidden;
   // scratch of find_links()
   struct GapFound {
-    int32_t behind;
-    Int3 x_f;
+    int32_t behind, node;
   };
   std::vector<Bits> bits;
   std::vector<GapFound> gaps_found;
@@ -76,6 +75,28 @@ struct Links {
   void clear();    // all but the pockets, which wait for the links of all spheres
   void trim();     // give back what is allocated and not in use, scratch too
   double bytes() const;
+};
+
+// the coordinates of owned nodes, from their indices: numbers below 2^31, which a product with the
+// reciprocal cannot take across an integer if it is half a node away from it
+class Decoder {
+ public:
+  explicit Decoder(const Layout &at) :
+      origin(int32_t(at.origin)), stride_y(double(at.stride_y)), stride_z(double(at.stride_z))
+  {
+  }
+  template <class V, class I> LBM_INLINE void operator()(const I &node, V (&x)[3]) const
+  {
+    const V n = convert<V>(node - origin);
+    x[2] = convert<V>(convert<I>((n + 0.5) * (1.0 / stride_z)));
+    const V m = n - x[2] * stride_z;
+    x[1] = convert<V>(convert<I>((m + 0.5) * (1.0 / stride_y)));
+    x[0] = m - x[1] * stride_y;
+  }
+
+ private:
+  int32_t origin;
+  double stride_y, stride_z;
 };
 
 // fraction q of the link from node d = x_f - c, outside, along e, where it enters the sphere

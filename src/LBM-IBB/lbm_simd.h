@@ -48,8 +48,6 @@ namespace detail {
 template <int W, class Real = double> using Pack = typename detail::Vector<Real, W>::type;
 template <int W> using PackInt = typename detail::Vector<int32_t, W>::type;
 template <int W> using PackFloat = typename detail::Vector<float, W>::type;
-template <int W> using PackShort = typename detail::Vector<int16_t, W>::type;
-template <int W> using PackUnsigned = typename detail::Vector<uint32_t, W>::type;
 
 // numbers in a pack as wide as the machine
 template <class Real> constexpr int width = SIMD_WIDTH *int(sizeof(double) / sizeof(Real));
@@ -109,19 +107,19 @@ template <class To, class From> LBM_INLINE inline To convert(const From &v)
 namespace detail {
   // written as a list, because filling a pack one by one makes each number wait for the one before
   template <class V, class T, int... K>
-  LBM_INLINE inline V gather(const T *p, const uint32_t *n, std::integer_sequence<int, K...>)
+  LBM_INLINE inline V gather(const T *p, const int32_t *n, std::integer_sequence<int, K...>)
   {
     return V{p[n[K]]...};
   }
 }    // namespace detail
 
-template <int W, class T> LBM_INLINE inline auto gather(const T *p, const uint32_t *n)
+template <int W, class T> LBM_INLINE inline auto gather(const T *p, const int32_t *n)
 {
   using V = typename detail::Vector<T, W>::type;
   return detail::gather<V>(p, n, std::make_integer_sequence<int, W>{});
 }
 
-template <int W, class T> LBM_INLINE inline void scatter(T *p, const uint32_t *n, const Pack<W> &v)
+template <int W, class T> LBM_INLINE inline void scatter(T *p, const int32_t *n, const Pack<W> &v)
 {
   if constexpr (W == 1)
     p[*n] = T(v);

@@ -226,14 +226,11 @@ std::unique_ptr<Fluid> Fluid::create(const Settings &settings, const Int3 &lo, c
                                      const Int3 &global, Neighbours &neighbours)
 {
   if (!(settings.tau > 0.5)) throw std::invalid_argument("tau must be larger than 1/2");
-  for (int d = 0; d < 3; d++) {
+  for (int d = 0; d < 3; d++)
     if (n[d] < 1) throw std::invalid_argument("a rank without lattice nodes");
-    if (n[d] > std::numeric_limits<int16_t>::max())    // links hold places of nodes in 16 bits
-      throw std::invalid_argument("more than 32767 lattice nodes in one direction on one rank");
-  }
   const Layout at(lo, n, settings.dimension);
-  if (at.size > Index(std::numeric_limits<uint32_t>::max()))
-    throw std::invalid_argument("more than 2^32 lattice nodes on one rank");
+  if (at.size > Index(std::numeric_limits<int32_t>::max()))    // links hold indices of nodes
+    throw std::invalid_argument("more than 2^31 lattice nodes on one rank");
   if (settings.dimension == 2) return in_precision<D2Q9>(settings, at, global, neighbours);
   return in_precision<D3Q19>(settings, at, global, neighbours);
 }

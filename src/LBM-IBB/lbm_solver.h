@@ -36,8 +36,7 @@ struct Settings {
 class Fluid {
  public:
   // lo, n: the nodes of this rank; global: of the whole lattice. Throws std::bad_alloc, or
-  // std::invalid_argument if tau <= 1/2, a block is empty, or a block has more than 2^32 nodes or
-  // more than 32767 in one direction.
+  // std::invalid_argument if tau <= 1/2, a block is empty, or it has more than 2^31 nodes.
   static std::unique_ptr<Fluid> create(const Settings &settings, const Int3 &lo, const Int3 &n,
                                        const Int3 &global, Neighbours &neighbours);
   virtual ~Fluid() = default;

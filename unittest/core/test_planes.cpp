@@ -158,16 +158,16 @@ template <class L, class Rule> class Channel {
     for (int wall = 0; wall < 2; wall++)
       for (int i = 1; i < L::Q; i++) {
         const std::size_t begin = links.size;
-        for_each_node([&](const Int3 &p, Index) {
+        for_each_node([&](const Int3 &p, Index n) {
           int meets = 0, other = 0;
           const double q = cut_at(p, i, meets), behind = cut_at(p, opposite<L>(i), other);
           if (meets != wall || q > 1.0) return;
           if (behind <= 1.0) {
-            if (i <= L::P) links.gaps.add(p, i, wall, other, q, behind);
+            if (i <= L::P) links.gaps.add(int32_t(n), i, wall, other, q, behind);
             return;
           }
           links.q.push_back(q);
-          for (int d = 0; d < 3; d++) links.place[d].push_back(int16_t(p[d]));
+          links.node.push_back(int32_t(n));
           links.size++;
         });
         if (links.size > begin)
