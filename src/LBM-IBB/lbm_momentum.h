@@ -41,9 +41,10 @@ template <class V> double total(const V &v)
   return s;
 }
 
-template <bool moving, class V>
+template <Motion motion, class V>
 void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
 {
+  constexpr bool moving = motion != Motion::REST;
   const double pressing = total(sums.pressing);
   Vec3 force, torque;
   for (int d = 0; d < 3; d++) {
@@ -60,31 +61,35 @@ void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
   }
 }
 
-// velocity of a moving surface and what it does to a link
-template <class V> struct Wall {
+// velocity of a surface and what it does to a link
+template <Motion motion, class V> struct Wall {
   V u[3], eu, usq;
-  template <class T> LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const T (&arm)[3])
+  LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const V (&arm)[3])
   {
     for (int d = 0; d < 3; d++) {
       const int a = (d + 1) % 3, b = (d + 2) % 3;
-      u[d] = s.velocity[d] + (s.spin[a] * arm[b] - s.spin[b] * arm[a]);
+      u[d] = V{} + s.velocity[d];
+      if constexpr (motion == Motion::TURN) u[d] = u[d] + (s.spin[a] * arm[b] - s.spin[b] * arm[a]);
     }
     eu = double(e[0]) * u[0] + double(e[1]) * u[1] + double(e[2]) * u[2];
     usq = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
   }
 };
+template <class V> struct Wall<Motion::REST, V> {
+  LBM_INLINE Wall(const Sphere &, const int (&)[3], const V (&)[3]) {}
+};
 
 // momentum of a link given to its sphere; arm = x_w - c
-template <bool moving, class V>
+template <Motion motion, class V>
 LBM_INLINE inline void exchange(Sums<V> &sums, const int (&e)[3], double w, const V &out,
-                                const V &back, const V (&arm)[3], const Wall<V> *wall)
+                                const V &back, const V (&arm)[3], const Wall<motion, V> &wall)
 {
   V g = out + back;
-  if constexpr (moving) {
-    g = g - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
-    const V h = out - back - 6.0 * w * wall->eu;
+  if constexpr (motion != Motion::REST) {
+    g = g - w * (9.0 * wall.eu * wall.eu - 3.0 * wall.usq);
+    const V h = out - back - 6.0 * w * wall.eu;
     V F[3];
-    for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall->u[d] * h;
+    for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall.u[d] * h;
     for (int d = 0; d < 3; d++) {
       const int a = (d + 1) % 3, b = (d + 2) % 3;
       sums.force[d] = sums.force[d] + F[d];

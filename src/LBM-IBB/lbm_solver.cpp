@@ -5,21 +5,32 @@
 #include "lbm_halo.h"
 #include "lbm_sweep.h"
 
-#include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace lbm {
 namespace {
+
+  Motion most(const std::vector<Sphere> &spheres)
+  {
+    Motion most = Motion::REST;
+    for (const Sphere &s : spheres) {
+      if (s.spin != Vec3{}) return Motion::TURN;
+      if (s.velocity != Vec3{}) most = Motion::SHIFT;
+    }
+    return most;
+  }
 
   template <class L> class FluidOn : public Fluid {
    public:
     FluidOn(const Settings &settings, const Layout &at, const Int3 &global,
             Neighbours &neighbours) :
         settings(settings),
-        at(at), block(at), halo(at, neighbours), pass(at, settings.link, settings.tile),
-        neighbours(neighbours), collide(settings.bgk ? Trt<L>::bgk(settings.tau)
-                                                     : Trt<L>::trt(settings.tau, settings.magic))
+        at(at), block(at), halo(at, neighbours),
+        pass(at, settings.link, settings.ledger, settings.tile), neighbours(neighbours),
+        collide(settings.bgk ? Trt<L>::bgk(settings.tau)
+                             : Trt<L>::trt(settings.tau, settings.magic))
     {
       for (int d = 0; d < 3; d++) {
         at_end[d][0] = at.lo[d] == 0 && settings.faces[d][0].kind != FaceKind::PERIODIC;
@@ -46,9 +57,7 @@ namespace {
         now->set_velocities(spheres);
       }
       refill_uncovered();
-      moving = std::any_of(spheres.begin(), spheres.end(), [](const Sphere &s) {
-        return s.velocity != Vec3{} || s.spin != Vec3{};
-      });
+      motion = most(spheres);
     }
 
     void advance(std::vector<Load> &loads) override
@@ -123,7 +132,8 @@ namespace {
 
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
-    bool moved = false, moving = false;
+    bool moved = false;
+    Motion motion = Motion::REST;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
     RefillCount refill_count;
 
@@ -149,7 +159,7 @@ namespace {
     {
       if (!spheres_here())
         sweep(block, collide, f, NoSolids{}, region);
-      else if (!moving)
+      else if (motion == Motion::REST)
         sweep(block, collide, f, Solids{owner()}, region);
       else
         sweep(block, collide, f, MovingSolids{owner(), drho.data()}, region);
@@ -166,8 +176,9 @@ namespace {
     // the links of each tile while it is in the cache
     void collide_stream_and_bounce(std::vector<Load> &loads)
     {
+      const bool moving = motion != Motion::REST;
       if (moving) drho.resize(at.size);
-      pass.start(*now, moved, moving ? drho.data() : nullptr, loads);
+      pass.start(*now, moved, motion, moving ? drho.data() : nullptr, loads);
       for (std::size_t k = 0; k < pass.tiles().count(); k++) {
         collide_and_stream(pass.tiles().swept(k));
         pass.inner(k, block.slots(block.step() + 1));
