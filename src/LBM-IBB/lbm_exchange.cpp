@@ -43,7 +43,7 @@ namespace {
                                           const Sphere &sphere, const Vec3 &centre,
                                           const int (&e)[3], double weight, double refund,
                                           const int32_t *n, const double *fractions,
-                                          const float *drho, Sums<Pack<W>> &sums)
+                                          const float *drho, Sums<Pack<W>, ledger> &sums)
   {
     using V = Pack<W>;
     const V q = load<V>(fractions);
@@ -107,7 +107,7 @@ namespace {
   template <class L, class Rule, Motion motion, bool ledger, int W>
   LBM_INLINE inline void close_gaps(const Layout &at, const Slots<L> &f, const Ends &ends, int i,
                                     const int32_t *n, const double *const (&fractions)[2],
-                                    const float *drho, Sums<Pack<W>> (&sums)[2])
+                                    const float *drho, Sums<Pack<W>, ledger> (&sums)[2])
   {
     using V = Pack<W>;
     const int o = opposite<L>(i);
@@ -161,7 +161,7 @@ namespace {
     constexpr int W = SIMD_WIDTH;
     const int i = group.direction;
     const Ends ends(cover, group);
-    Sums<Pack<W>> sums[2];
+    Sums<Pack<W>, ledger> sums[2];
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
       close_gaps<L, Rule, motion, ledger, W>(at, f, ends, i, &gaps.node[k],
@@ -169,7 +169,7 @@ namespace {
     if (k < group.end) {
       const Tail<W> ahead(gaps.node, gaps.q_ahead, k, group.end),
           behind(gaps.node, gaps.q_behind, k, group.end);
-      Sums<Pack<W>> with_copies[2];
+      Sums<Pack<W>, ledger> with_copies[2];
       close_gaps<L, Rule, motion, ledger, W>(at, f, ends, i, ahead.node, {ahead.q, behind.q}, drho,
                                              with_copies);
       for (int side = 0; side < 2; side++)
@@ -220,7 +220,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const Sphere &sphere = cover.spheres()[group.sphere];
     const Vec3 c = cover.centre(group.sphere);
     const double refund = L::w[i] * sphere.refund;
-    Sums<Pack<W>> sums;
+    Sums<Pack<W>, ledger> sums;
     const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to) LBM_INLINE {
       bounce_back_pack<L, Rule, motion, ledger, W>(decode, slot, sphere, c, L::e[i], L::w[i],
                                                    refund, nodes, q, drho, to);
@@ -229,7 +229,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {
       const Tail<W> tail(links.node, links.q, k, group.end);
-      Sums<Pack<W>> with_copies;
+      Sums<Pack<W>, ledger> with_copies;
       bounce_pack(tail.node, tail.q, with_copies);
       sums.add_first(with_copies, int(group.end - k));
     }

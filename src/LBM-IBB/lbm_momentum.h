@@ -12,7 +12,7 @@ namespace lbm {
 
 // what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed
 // along e alone, and torque then holds the sum of arm times pressure
-template <class V> struct Sums {
+template <class V, bool ledger> struct Sums {
   V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{}, swallowed = V{};
   double links = 0.0;
 
@@ -26,7 +26,7 @@ template <class V> struct Sums {
       torque[d] += keep * other.torque[d];
     }
     pressing += keep * other.pressing;
-    swallowed += keep * other.swallowed;
+    if constexpr (ledger) swallowed += keep * other.swallowed;
   }
 };
 
@@ -41,8 +41,8 @@ template <class V> double total(const V &v)
   return s;
 }
 
-template <Motion motion, class V>
-void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
+template <Motion motion, class V, bool ledger>
+void add(const Sums<V, ledger> &sums, const int (&e)[3], double w, Load &load)
 {
   constexpr bool moving = motion != Motion::REST;
   const double pressing = total(sums.pressing);
@@ -53,7 +53,7 @@ void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
   }
   if (!moving) torque = cross(torque, {double(e[0]), double(e[1]), double(e[2])});
   load.pressing += pressing;
-  load.swallowed += total(sums.swallowed);
+  if constexpr (ledger) load.swallowed += total(sums.swallowed);
   load.area += 2.0 * w * sums.links;
   for (int d = 0; d < 3; d++) {
     load.force[d] += force[d];
@@ -80,8 +80,8 @@ template <class V> struct Wall<Motion::REST, V> {
 };
 
 // momentum of a link given to its sphere; arm = x_w - c
-template <Motion motion, class V>
-LBM_INLINE inline void exchange(Sums<V> &sums, const int (&e)[3], double w, const V &out,
+template <Motion motion, class V, bool ledger>
+LBM_INLINE inline void exchange(Sums<V, ledger> &sums, const int (&e)[3], double w, const V &out,
                                 const V &back, const V (&arm)[3], const Wall<motion, V> &wall)
 {
   V g = out + back;

@@ -158,11 +158,19 @@ namespace {
     template <class Force> void sweep_with(const Force &f, const Region &region)
     {
       if (!spheres_here())
-        sweep(block, collide, f, NoSolids{}, region);
+        sweep_nodes(f, NoSolids{}, region);
       else if (motion == Motion::REST)
-        sweep(block, collide, f, Solids{owner()}, region);
+        sweep_nodes(f, Solids{owner()}, region);
       else
-        sweep(block, collide, f, MovingSolids{owner(), drho.data()}, region);
+        sweep_nodes(f, MovingSolids{owner(), drho.data()}, region);
+    }
+
+    // never inlined: the loop is then as good whatever is around it
+    template <class Force, class Solid>
+    __attribute__((noinline)) void sweep_nodes(const Force &f, const Solid &solid,
+                                               const Region &region)
+    {
+      sweep(block, collide, f, solid, region);
     }
 
     void collide_and_stream(const Region &region)
