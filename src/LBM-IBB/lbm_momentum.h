@@ -10,10 +10,17 @@
 
 namespace lbm {
 
+// mass, if there is a ledger of it
+template <class V, bool ledger> struct Swallowed {
+  V swallowed = V{};
+};
+template <class V> struct Swallowed<V, false> {
+};
+
 // what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed
 // along e alone, and torque then holds the sum of arm times pressure
-template <class V, bool ledger> struct Sums {
-  V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{}, swallowed = V{};
+template <class V, bool ledger> struct Sums : Swallowed<V, ledger> {
+  V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{};
   double links = 0.0;
 
   // of the first n numbers of each pack
@@ -26,7 +33,7 @@ template <class V, bool ledger> struct Sums {
       torque[d] += keep * other.torque[d];
     }
     pressing += keep * other.pressing;
-    if constexpr (ledger) swallowed += keep * other.swallowed;
+    if constexpr (ledger) this->swallowed += keep * other.swallowed;
   }
 };
 
