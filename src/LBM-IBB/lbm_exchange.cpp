@@ -39,11 +39,11 @@ namespace {
   };
 
   template <class L, class Rule, bool moving, int W>
-  LBM_INLINE inline void
-  bounce_back_pack(const Decoder &decode, const LinkSlots<L> &slot, const Sphere &sphere,
-                   const Vec3 &centre, const int (&e)[3], double weight, double refund,
-                   const int32_t *n, const double *fractions, const float *drho,
-                   Sums<Pack<W>> &sums)
+  LBM_INLINE inline void bounce_back_pack(const Decoder &decode, const LinkSlots<L> &slot,
+                                          const Sphere &sphere, const Vec3 &centre,
+                                          const int (&e)[3], double weight, double refund,
+                                          const int32_t *n, const double *fractions,
+                                          const float *drho, Sums<Pack<W>> &sums)
   {
     using V = Pack<W>;
     const V q = load<V>(fractions);
@@ -106,8 +106,7 @@ namespace {
   template <class L, class Rule, bool moving, int W>
   LBM_INLINE inline void close_gaps(const Layout &at, const Slots<L> &f, const Ends &ends, int i,
                                     const int32_t *n, const double *const (&fractions)[2],
-                                    const float *drho,
-                                    Sums<Pack<W>> (&sums)[2])
+                                    const float *drho, Sums<Pack<W>> (&sums)[2])
   {
     using V = Pack<W>;
     const int o = opposite<L>(i);
@@ -123,8 +122,7 @@ namespace {
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       q[k] = q[k] * wider;
-      for (int d = 0; d < 3; d++)
-        arm[k][d] = x[d] - ends.centre[k][d] + double(e[d]) * q[k];
+      for (int d = 0; d < 3; d++) arm[k][d] = x[d] - ends.centre[k][d] + double(e[d]) * q[k];
       const Coefficients<V> c = Rule::template at<V>(q[k]);
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
@@ -163,15 +161,14 @@ namespace {
     Sums<Pack<W>> sums[2];
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
-      close_gaps<L, Rule, moving, W>(at, f, ends, i,
-                                     &gaps.node[k], {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho,
-                                     sums);
+      close_gaps<L, Rule, moving, W>(at, f, ends, i, &gaps.node[k],
+                                     {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho, sums);
     if (k < group.end) {
       const Tail<W> ahead(gaps.node, gaps.q_ahead, k, group.end),
           behind(gaps.node, gaps.q_behind, k, group.end);
       Sums<Pack<W>> with_copies[2];
-      close_gaps<L, Rule, moving, W>(at, f, ends, i,
-                                     ahead.node, {ahead.q, behind.q}, drho, with_copies);
+      close_gaps<L, Rule, moving, W>(at, f, ends, i, ahead.node, {ahead.q, behind.q}, drho,
+                                     with_copies);
       for (int side = 0; side < 2; side++)
         sums[side].add_first(with_copies[side], int(group.end - k));
     }
@@ -226,8 +223,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
                                            q, drho, to);
     };
     std::size_t k = group.begin;
-    for (; k + W <= group.end; k += W)
-      bounce_pack(&links.node[k], &links.q[k], sums);
+    for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {
       const Tail<W> tail(links.node, links.q, k, group.end);
       Sums<Pack<W>> with_copies;

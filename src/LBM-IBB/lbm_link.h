@@ -73,7 +73,8 @@ struct Links {
   std::vector<GapFound> gaps_found;
 
   void clear();    // all but the pockets, which wait for the links of all spheres
-  void trim();     // give back what is allocated and not in use, scratch too
+  void append(const Links &other);    // its groups of links alone
+  void trim();                        // give back what is allocated and not in use, scratch too
   double bytes() const;
 };
 

@@ -47,7 +47,7 @@ namespace {
       }
       refill_uncovered();
       moving = std::any_of(spheres.begin(), spheres.end(), [](const Sphere &s) {
-        return s.velocity != Vec3{} || s.spin != Vec3{};
+        return s.velocity != Vec3{} || s.spin != Vec3{} || s.yields;
       });
     }
 
@@ -66,7 +66,10 @@ namespace {
         pass.fill_pockets(block.slots(), force);
       }
       open_faces();
+      find_responses();
     }
+    const std::vector<Response> &responses() const override { return responses_; }
+    void correct(const std::vector<Gain> &gains) override { pass.correct(block.slots(), gains); }
 
     void set_force(const Vec3 &f) override { force = f; }
     void set_face(int d, int side, const Vec3 &u, double drho) override
@@ -124,6 +127,7 @@ namespace {
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
     bool moved = false, moving = false;
+    std::vector<Response> responses_;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
     RefillCount refill_count;
 
@@ -172,6 +176,19 @@ namespace {
         collide_and_stream(pass.tiles().swept(k));
         pass.inner(k, block.slots(block.step() + 1));
       }
+    }
+
+    void find_responses()
+    {
+      responses_.clear();
+      if (!spheres_here()) return;
+      const auto &list = now->spheres();
+      if (std::none_of(list.begin(), list.end(), [](const Sphere &s) {
+            return s.yields;
+          }))
+        return;
+      responses_.resize(list.size());
+      pass.add_responses(responses_);
     }
 
     void open_faces()
