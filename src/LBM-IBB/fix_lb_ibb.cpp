@@ -40,7 +40,8 @@ using lbm::Vec3;
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), fluid_steps(0), first_step(-1), last_step(-1), history(nullptr),
     ghosted(nullptr), nghosted(0), survey_step(-1), fastest{}, warned_of_masses(false),
-    atoms_checked(0), drive{}, buoyancy_before{}
+    atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr),
+    moving_bits(0), held_bits(0), about(LOADS)
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)
@@ -76,9 +77,16 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
 }
 
+// now already, for what a restart file holds of it
+void FixLbIbb::post_constructor()
+{
+  provide_light();
+}
+
 FixLbIbb::~FixLbIbb()
 {
   if (copymode) return;
+  if (light && modify->nfix) modify->delete_fix(std::string(id) + "_LIGHT");
   atom->delete_callback(id, Atom::GROW);
   memory->destroy(array_atom);
   memory->destroy(history);
@@ -98,10 +106,12 @@ void FixLbIbb::setup(int)
   start_clock();
   // The velocities are to be integrated with the forces that were there when the last run ended:
   // if it ended with a fluid step, those of before.
-  if (update->ntimestep == last_step)
+  const bool before = update->ntimestep == last_step;
+  if (before)
     add_forces(history, buoyancy_before);
   else
     add_forces(array_atom, drive.buoyancy);
+  yield(true, before);
 }
 
 // ---------------------------------------------------------------------- the step
@@ -110,6 +120,7 @@ void FixLbIbb::setup(int)
 void FixLbIbb::post_force(int)
 {
   add_forces(array_atom, drive.buoyancy);
+  yield(false, false);
 }
 
 // held[i]: force and torque
@@ -138,7 +149,11 @@ void FixLbIbb::end_of_step()
   drive = evaluate_all();
   check_faces();
   drive_fluid(drive);
-  if (atom->natoms != atoms_checked) check_discs();
+  if (atom->natoms != atoms_checked) {
+    check_discs();
+    provide_light();
+  }
+  correct_fluid();
   place_grains();
   const double placed = platform::walltime();
   fluid->follow(spheres);

@@ -35,6 +35,7 @@ class FixLbIbb : public Fix {
  public:
   FixLbIbb(class LAMMPS *, int, char **);
   ~FixLbIbb() override;
+  void post_constructor() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -152,6 +153,21 @@ class FixLbIbb : public Fix {
   void give_forces();
   void check_grain(int i, const lbm::Sphere &s);
   void check_displacement(int i, const lbm::Sphere &s);
+
+  // light grains, in fix_lb_ibb_light.cpp: none of this is there without them
+  class FixStoreAtom *light;
+  int moving_bits, held_bits;    // groups of fixes that move grains by forces, and that do not
+  enum { TOLD = lbm::Response::SIZE + 6 };
+  std::vector<std::array<double, TOLD>> told;    // by local and ghost atom, between ranks
+  enum { LOADS, RESPONSES } about;                 // what ranks exchange now
+  void find_integrators();
+  void provide_light();
+  bool is_light(int i) const;
+  bool below_limit(int i) const;
+  void yield(bool start, bool before);
+  void correct_fluid();
+  void keep_responses();
+  bigint light_grains() const;
 
   // watching
   void take_survey();

@@ -62,6 +62,10 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
             : options.conserve                 ? "; mass that links swallow given back"
                                                : "; mass that links swallow lost");
 
+  if (const bigint yielding = light_grains())
+    text += fmt::format("  {} light grains answer to the fluid within its step: implicit coupling\n",
+                        yielding);
+
   std::string absent;
   auto has = [&](bool present, const char *name) {
     if (!present) absent += std::string(name) + ", ";

@@ -46,6 +46,8 @@ void FixLbIbb::init()
   check_order_of_fixes();
   warned_of_masses = false;
   check_discs();
+  find_integrators();
+  provide_light();
   find_variables();
   if (!has_started())
     create_fluid();

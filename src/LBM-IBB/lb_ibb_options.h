@@ -42,6 +42,7 @@ struct LBOptions {
   double dx, nu, rho;
   int every = 1, check = 100;
   bool bgk = false, single = false, average = true, conserve = true;
+  enum { AUTO, EXPLICIT, IMPLICIT } coupling = AUTO;
   bool has_gradp = false, has_buoyancy = false;
   double magic = 3.0 / 16.0, shrink = 0.0;
   lbm::LinkRule link = lbm::LinkRule::CLI;
