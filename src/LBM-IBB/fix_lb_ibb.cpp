@@ -40,8 +40,8 @@ using lbm::Vec3;
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), fluid_steps(0), first_step(-1), last_step(-1), history(nullptr),
     ghosted(nullptr), nghosted(0), survey_step(-1), fastest{}, warned_of_masses(false),
-    atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr),
-    moving_bits(0), held_bits(0), about(LOADS)
+    atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr), moving_bits(0), held_bits(0),
+    about(LOADS)
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)

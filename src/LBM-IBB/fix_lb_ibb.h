@@ -89,8 +89,8 @@ class FixLbIbb : public Fix {
   // a run is timed from its set-up, or from its first fluid step if there is none (run pre no)
   struct Clock {
     bool running = false;
-    bigint first = 0;                                  // fluid_steps at its start
-    double start = 0.0, loop = 0.0;                    // wall time; of the whole loop once it is over
+    bigint first = 0;                  // fluid_steps at its start
+    double start = 0.0, loop = 0.0;    // wall time; of the whole loop once it is over
     double fluid = 0.0, grains = 0.0;
   } clock;
   void start_clock();
@@ -159,7 +159,7 @@ class FixLbIbb : public Fix {
   int moving_bits, held_bits;    // groups of fixes that move grains by forces, and that do not
   enum { TOLD = lbm::Response::SIZE + 6 };
   std::vector<std::array<double, TOLD>> told;    // by local and ghost atom, between ranks
-  enum { LOADS, RESPONSES } about;                 // what ranks exchange now
+  enum { LOADS, RESPONSES } about;               // what ranks exchange now
   void find_integrators();
   void provide_light();
   bool is_light(int i) const;

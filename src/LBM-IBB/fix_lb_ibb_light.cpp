@@ -102,8 +102,7 @@ void FixLbIbb::provide_light()
     return;
   int mine = 0, any;
   for (int i = 0; i < atom->nlocal; i++)
-    if ((atom->mask[i] & groupbit) &&
-        (options.coupling == LBOptions::IMPLICIT || below_limit(i)))
+    if ((atom->mask[i] & groupbit) && (options.coupling == LBOptions::IMPLICIT || below_limit(i)))
       mine = 1;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
   if (!any) return;

@@ -44,7 +44,7 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
     if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&
         options.face[d][1].kind == lbm::FaceKind::PRESSURE)
       text += fmt::format("  pressure planes along {} are {:.8g} apart (box length - dx){}\n",
-                          "xyz"[d], domain->prd[d] - options.dx,
+                          "xyz"[d], domain -> prd[d] - options.dx,
                           // measured: a staggered momentum (-1)^(x+t) is then never damped
                           nodes[d] % 2 == 0 ? ""
                                             : "; start slowly: with an odd number of nodes between "
@@ -63,8 +63,8 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
                                                : "; mass that links swallow lost");
 
   if (const bigint yielding = light_grains())
-    text += fmt::format("  {} light grains answer to the fluid within its step: implicit coupling\n",
-                        yielding);
+    text += fmt::format(
+        "  {} light grains answer to the fluid within its step: implicit coupling\n", yielding);
 
   std::string absent;
   auto has = [&](bool present, const char *name) {

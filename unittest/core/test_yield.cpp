@@ -33,7 +33,8 @@ const Gain GAIN{{0.01, -0.02, 0.0}, {0.0, 0.0, 0.003}}, SLOW{{1e-6, -2e-6, 0.0},
 std::vector<Sphere> pair(const Case &c, double speed)
 {
   const double z = c.dimension == 3 ? 8.2 : 0.5;
-  std::vector<Sphere> list{scene::sphere(0, {6.3, 7.1, z}, 3.4), scene::sphere(1, {15.6, 8.4, z}, 3.9)};
+  std::vector<Sphere> list{scene::sphere(0, {6.3, 7.1, z}, 3.4),
+                           scene::sphere(1, {15.6, 8.4, z}, 3.9)};
   list[0].yields = true;
   if (c.moving) list[0].velocity = {speed, 0.5 * speed, 0.0};
   return list;
