@@ -142,7 +142,7 @@ template <class L> template <class F> void LinkPass<L>::for_each_yielding(F &&f)
 template <class L> void LinkPass<L>::add_responses(std::vector<Response> &responses) const
 {
   for_each_yielding([&](auto rule, const Links &links) {
-    lbm::add_responses<L, decltype(rule)>(at_, *cover_, links, drho_, responses);
+    lbm::add_responses<L, decltype(rule)>(at_, *cover_, links, responses);
   });
 }
 
@@ -150,7 +150,7 @@ template <class L>
 void LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) const
 {
   for_each_yielding([&](auto rule, const Links &links) {
-    lbm::correct<L, decltype(rule)>(at_, f, *cover_, links, drho_, gains);
+    lbm::correct<L, decltype(rule)>(at_, f, *cover_, links, gains);
   });
 }
 

@@ -47,7 +47,7 @@ namespace {
       }
       refill_uncovered();
       moving = std::any_of(spheres.begin(), spheres.end(), [](const Sphere &s) {
-        return s.velocity != Vec3{} || s.spin != Vec3{} || s.yields;
+        return s.velocity != Vec3{} || s.spin != Vec3{};
       });
     }
 

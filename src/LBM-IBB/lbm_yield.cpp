@@ -16,24 +16,16 @@ namespace {
 
   // a, and arm x e, of one link or a pack of them
   template <class L, class Rule, class V> struct Reach {
-    V a, weight, turn[3];
+    V a, turn[3];
     LBM_INLINE Reach(const Decoder &decode, const Vec3 &centre, const int (&e)[3], double w,
-                     const int32_t *node, const double *fraction, const float *drho)
+                     const int32_t *node, const double *fraction)
     {
       constexpr int W = sizeof(V) / sizeof(double);
       const V q = load<V>(fraction);
       V arm[3];
       decode(load<PackInt<W>>(node), arm);
       for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
-      V rho = V{} + 1.0;
-      if (drho) {
-        if constexpr (W == 1)
-          rho = 1.0 + double(drho[*node]);
-        else
-          rho = 1.0 + convert<V>(gather<W>(drho, node));
-      }
-      weight = w * rho;
-      a = 3.0 * weight * Rule::template at<V>(q).c4;
+      a = 3.0 * w * Rule::template at<V>(q).c4;
       for (int d = 0; d < 3; d++) {
         const int p = (d + 1) % 3, s = (d + 2) % 3;
         turn[d] = double(e[s]) * arm[p] - double(e[p]) * arm[s];
@@ -65,7 +57,7 @@ namespace {
 
 // With e fixed in a group, zeta needs the sums of a, of a turn and of a turn turn^T alone.
 template <class L, class Rule>
-void add_responses(const Layout &at, const Cover &cover, const Links &links, const float *drho,
+void add_responses(const Layout &at, const Cover &cover, const Links &links,
                    std::vector<Response> &responses)
 {
   const Decoder decode(at);
@@ -75,8 +67,8 @@ void add_responses(const Layout &at, const Cover &cover, const Links &links, con
     double a = 0.0, b = 0.0, turn[3] = {0, 0, 0}, b_turn[3] = {0, 0, 0}, square[6] = {0};
     in_packs(group, [&](std::size_t k, auto width) {
       const Reach<L, Rule, Pack<width>> reach(decode, centre, e, L::w[group.direction],
-                                              &links.node[k], &links.q[k], drho);
-      const auto stays = reach.a - 6.0 * reach.weight;
+                                              &links.node[k], &links.q[k]);
+      const auto stays = reach.a - 6.0 * L::w[group.direction];
       a += sum(reach.a);
       b += sum(stays);
       for (int d = 0, n = 0; d < 3; d++) {
@@ -102,7 +94,7 @@ void add_responses(const Layout &at, const Cover &cover, const Links &links, con
 
 template <class L, class Rule>
 void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-             const float *drho, const std::vector<Gain> &gains)
+             const std::vector<Gain> &gains)
 {
   const Decoder decode(at);
   for_each_group(cover, links, [&](const LinkGroup &group) {
@@ -112,8 +104,7 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
     typename L::Real *back = f[opposite<L>(i)];
     in_packs(group, [&](std::size_t k, auto width) {
       using V = Pack<width>;
-      const Reach<L, Rule, V> reach(decode, centre, L::e[i], L::w[i], &links.node[k], &links.q[k],
-                                    drho);
+      const Reach<L, Rule, V> reach(decode, centre, L::e[i], L::w[i], &links.node[k], &links.q[k]);
       V du = V{};
       for (int d = 0; d < 3; d++)
         du = du + L::e[i][d] * gain.velocity[d] + reach.turn[d] * gain.spin[d];
@@ -130,9 +121,9 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
 
 #define LBM_INSTANTIATE_RULE(L, Rule)                                                            \
   template void add_responses<L, Rule>(const Layout &, const Cover &, const Links &,             \
-                                       const float *, std::vector<Response> &);                  \
+                                       std::vector<Response> &);                                 \
   template void correct<L, Rule>(const Layout &, const Slots<L> &, const Cover &, const Links &, \
-                                 const float *, const std::vector<Gain> &);
+                                 const std::vector<Gain> &);
 #define LBM_INSTANTIATE(L)         \
   LBM_INSTANTIATE_RULE(L, Halfway) \
   LBM_INSTANTIATE_RULE(L, Bouzidi) \

@@ -2,12 +2,13 @@
 // Spheres that yield: light ones, whose velocity answers to the fluid within a step.
 //
 // A surface that moves by du faster than what was handed in would have got back, along a link,
-//     f_o - a e.du,    a = 3 w c4 rho    (lbm_bounce_back.h)
+//     f_o - a e.du,    a = 3 w c4    (lbm_bounce_back.h)
 // so that with g = (e, arm x e) the sphere's load, force and torque, would have been
 //     F - zeta (du, dspin),    zeta = sum of a g g^T    (links of gaps left out)
 // Whoever moves the sphere uses this load, implicitly, and says afterwards by how much the velocity
 // was larger in the mean: correct() then takes zeta du from the fluid, to round-off, along the same
-// links. Terms of second order in velocity are left out of zeta, not out of F. Lattice units.
+// links. Rest density is good enough for zeta, and terms of second order in velocity are left out of
+// it; F has both. Lattice units.
 
 #ifndef LBM_YIELD_H
 #define LBM_YIELD_H
@@ -28,15 +29,14 @@ struct Gain {
   Vec3 velocity{}, spin{};
 };
 
-// the links of spheres that yield, of a list that may have others as well; drho: density excess by
-// node, or null for none
+// the links of spheres that yield, of a list that may have others as well
 template <class L, class Rule>
-void add_responses(const Layout &at, const Cover &cover, const Links &links, const float *drho,
+void add_responses(const Layout &at, const Cover &cover, const Links &links,
                    std::vector<Response> &responses);
 // in the slots that the links wrote; gains by sphere
 template <class L, class Rule>
 void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-             const float *drho, const std::vector<Gain> &gains);
+             const std::vector<Gain> &gains);
 
 }    // namespace lbm
 #endif
