@@ -102,6 +102,7 @@ int FixLbIbb::setmask()
 void FixLbIbb::setup(int)
 {
   review_setup();
+  share_volumes();
   survey_step = -1;    // forces may have changed, and the velocity has half of one in it
   start_clock();
   // The velocities are to be integrated with the forces that were there when the last run ended:
@@ -134,7 +135,7 @@ void FixLbIbb::add_forces(double **held, const Vec3 &gravity)
       torque[i][d] += held[i][TORQUE + d];
     }
     if (options.has_buoyancy) {
-      const double mass = options.rho * units.grain_volume(hydrodynamic_radius(i));
+      const double mass = options.rho * displaced_volume(i);
       for (int d = 0; d < 3; d++) f[i][d] -= mass * gravity[d];
     }
   }
@@ -150,6 +151,7 @@ void FixLbIbb::end_of_step()
   check_faces();
   drive_fluid(drive);
   if (atom->natoms != atoms_checked) {
+    share_volumes();
     check_discs();
     provide_light();
   }

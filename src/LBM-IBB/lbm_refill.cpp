@@ -164,8 +164,10 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
       m.drho /= known;
     else if (arriving_density<L>(at, f, before, nodes[k], m.u, force, m.drho))
       count.equilibrium++;
-    else
-      count.rest++;
+    else {    // deep in a sphere that is gone
+      m.drho = before.spheres()[nodes[k].sphere].drho;
+      count.deep++;
+    }
     if (known) count.grad++;
 
     // f = f_eq + 4.5 w rho P:(ee - I/3),  P = -(tau/3) (grad u + grad u^T)
