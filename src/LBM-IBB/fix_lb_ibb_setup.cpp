@@ -284,7 +284,8 @@ void FixLbIbb::review_setup()
     drive_fluid(now);
     fluid->fill(0.0);    // at rest under the force that acts
   }
-  lbm::Plan plan{units, options.nu, nevery, now.pressure_difference, now.face_speed, 0.0};
+  lbm::Plan plan{units, options.nu, nevery, now.pressure_difference, now.face_speed, 0.0,
+                 std::hypot(now.force[0], now.force[1], now.force[2]) / options.rho};
   const double largest = largest_radius(plan.smallest_radius);
   if (plan.smallest_radius <= 0.0 && atom->radius_flag && group->count(igroup) > 0)
     error->all(

@@ -59,8 +59,9 @@ FixWallGranLSDCoulomb::FixWallGranLSDCoulomb(LAMMPS *lmp, int narg, char **arg) 
   iarg = parse_planes(iarg, narg, arg);
 
   int limit_damping = 0;
+  std::set<std::string> given;
   while (iarg < narg) {
-    if (GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping))
+    if (GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping, given))
       iarg += 2;
     else if (strcmp(arg[iarg], "shear") == 0 || strcmp(arg[iarg], "wiggle") == 0)
       iarg = parse_motion(iarg, narg, arg);
@@ -95,7 +96,7 @@ int FixWallGranLSDCoulomb::parse_planes(int iarg, int narg, char **arg)
 
   for (int w = 0; w < 2; w++) {
     has_wall[w] = (strcmp(arg[iarg + 1 + w], "NULL") != 0);
-    if (has_wall[w]) place[w] = utils::numeric(FLERR, arg[iarg + 1 + w], false, lmp);
+    if (has_wall[w]) place[w] = GranLSDMaterial::finite(lmp, STYLE, arg[iarg], arg[iarg + 1 + w]);
   }
   if (!has_wall[0] && !has_wall[1])
     error->all(FLERR, "{}: {} NULL NULL is no wall at all: give a place to one at least", STYLE,
@@ -129,7 +130,7 @@ int FixWallGranLSDCoulomb::parse_motion(int iarg, int narg, char **arg)
     if (iarg + 3 > narg) utils::missing_cmd_args(FLERR, fmt::format("{} shear", STYLE), error);
     motion = SHEAR;
     along = parse_axis(iarg + 1, arg);
-    speed = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+    speed = GranLSDMaterial::finite(lmp, STYLE, "the speed of shear", arg[iarg + 2]);
     if (along == normal)
       error->all(FLERR, "{}: shear must be along the wall, {} is across it: use wiggle", STYLE,
                  arg[iarg + 1]);
@@ -139,8 +140,8 @@ int FixWallGranLSDCoulomb::parse_motion(int iarg, int narg, char **arg)
   if (iarg + 4 > narg) utils::missing_cmd_args(FLERR, fmt::format("{} wiggle", STYLE), error);
   motion = WIGGLE;
   along = parse_axis(iarg + 1, arg);
-  amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
-  period = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
+  amplitude = GranLSDMaterial::finite(lmp, STYLE, "the amplitude of wiggle", arg[iarg + 2]);
+  period = GranLSDMaterial::finite(lmp, STYLE, "the period of wiggle", arg[iarg + 3]);
   if (!(period > 0.0))
     error->all(FLERR, "{}: the period of wiggle, {}, must be positive", STYLE, period);
   return iarg + 4;

@@ -33,6 +33,7 @@ struct Plan {
   double pressure_difference;    // largest between two pressure faces; 0 if there are none
   double face_speed;             // largest speed prescribed at a face
   double smallest_radius;        // hydrodynamic; 0 if there are no grains
+  double acceleration = 0.0;     // of the fluid, by what drives it
 };
 
 std::vector<Finding> review(const Plan &plan);
