@@ -244,7 +244,7 @@ void FixWallGranLSDCoulomb::post_force(int /*vflag*/)
     vwall[along] = speed;
   } else if (motion == WIGGLE) {
     const double frequency = MathConst::MY_2PI / period;
-    const double phase = frequency * dt * (update->ntimestep - time_origin);
+    const double phase = frequency * dt * double(update->ntimestep - time_origin);
     vwall[along] = amplitude * frequency * sin(phase);
     if (along == normal) shift = amplitude - amplitude * cos(phase);
   }

@@ -35,7 +35,7 @@ using namespace LAMMPS_NS;
 
 static void bcast(std::string &text, MPI_Comm world)
 {
-  int n = text.size();
+  int n = int(text.size());
   MPI_Bcast(&n, 1, MPI_INT, 0, world);
   text.resize(n);
   if (n > 0) MPI_Bcast(&text[0], n, MPI_CHAR, 0, world);

@@ -80,7 +80,7 @@ void PairGranLSDCoulomb::coeff(int narg, char **arg)
                arg[2 + GranLSDMaterial::NWORDS]);
   if (!allocated) allocate();
 
-  int ilo, ihi, jlo, jhi;
+  int ilo = 0, ihi = 0, jlo = 0, jhi = 0;
   try {
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
     utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
