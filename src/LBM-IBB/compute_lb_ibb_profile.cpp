@@ -115,9 +115,6 @@ void ComputeLbIbbProfile::parse_keywords(int iarg, int narg, char **arg)
       error->all(FLERR, iarg, "Compute lb/ibb/profile: {} is given twice: remove one of them",
                  name);
     const double value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    if (!std::isfinite(value))
-      error->all(FLERR, iarg + 1, "Compute lb/ibb/profile: {} = {} is not a finite number", name,
-                 value);
     if (name == "gravity") {
       gravity = value;
       has_gravity = true;

@@ -96,7 +96,7 @@ int FixWallGranLSDCoulomb::parse_planes(int iarg, int narg, char **arg)
 
   for (int w = 0; w < 2; w++) {
     has_wall[w] = (strcmp(arg[iarg + 1 + w], "NULL") != 0);
-    if (has_wall[w]) place[w] = GranLSDMaterial::finite(lmp, STYLE, arg[iarg], arg[iarg + 1 + w]);
+    if (has_wall[w]) place[w] = utils::numeric(FLERR, arg[iarg + 1 + w], false, lmp);
   }
   if (!has_wall[0] && !has_wall[1])
     error->all(FLERR, "{}: {} NULL NULL is no wall at all: give a place to one at least", STYLE,
@@ -130,7 +130,7 @@ int FixWallGranLSDCoulomb::parse_motion(int iarg, int narg, char **arg)
     if (iarg + 3 > narg) utils::missing_cmd_args(FLERR, fmt::format("{} shear", STYLE), error);
     motion = SHEAR;
     along = parse_axis(iarg + 1, arg);
-    speed = GranLSDMaterial::finite(lmp, STYLE, "the speed of shear", arg[iarg + 2]);
+    speed = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
     if (along == normal)
       error->all(FLERR, "{}: shear must be along the wall, {} is across it: use wiggle", STYLE,
                  arg[iarg + 1]);
@@ -140,8 +140,8 @@ int FixWallGranLSDCoulomb::parse_motion(int iarg, int narg, char **arg)
   if (iarg + 4 > narg) utils::missing_cmd_args(FLERR, fmt::format("{} wiggle", STYLE), error);
   motion = WIGGLE;
   along = parse_axis(iarg + 1, arg);
-  amplitude = GranLSDMaterial::finite(lmp, STYLE, "the amplitude of wiggle", arg[iarg + 2]);
-  period = GranLSDMaterial::finite(lmp, STYLE, "the period of wiggle", arg[iarg + 3]);
+  amplitude = utils::numeric(FLERR, arg[iarg + 2], false, lmp);
+  period = utils::numeric(FLERR, arg[iarg + 3], false, lmp);
   if (!(period > 0.0))
     error->all(FLERR, "{}: the period of wiggle, {}, must be positive", STYLE, period);
   return iarg + 4;

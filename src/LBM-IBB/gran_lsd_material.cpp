@@ -135,33 +135,21 @@ GranLSD::Material GranLSDMaterial::parse(LAMMPS *lmp, const std::string &command
 
 /* ---------------------------------------------------------------------- */
 
-double GranLSDMaterial::finite(LAMMPS *lmp, const std::string &command, const std::string &what,
-                               const char *word)
-{
-  const double value = utils::numeric(FLERR, word, false, lmp);
-  if (!std::isfinite(value))
-    lmp->error->all(FLERR, "{}: {} = {} is not a finite number", command, what, value);
-  return value;
-}
-
-/* ---------------------------------------------------------------------- */
-
 bool GranLSDMaterial::parse_option(LAMMPS *lmp, const std::string &command, int narg, char **arg,
                                    int iarg, double &offset, int &limit_damping,
                                    std::set<std::string> &given)
 {
   if (iarg + 2 > narg)
     utils::missing_cmd_args(FLERR, fmt::format("{} {}", command, arg[iarg]), lmp->error);
+  if (strcmp(arg[iarg], "offset") != 0 && strcmp(arg[iarg], "limit_damping") != 0) return false;
   if (!given.insert(arg[iarg]).second)
     lmp->error->all(FLERR, "{}: {} is given twice: remove one of them", command, arg[iarg]);
   if (strcmp(arg[iarg], "offset") == 0) {
     offset = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (!(offset >= 0.0) || std::isinf(offset))
       lmp->error->all(FLERR, "{}: offset {} must be 0 or positive", command, offset);
-  } else if (strcmp(arg[iarg], "limit_damping") == 0) {
-    limit_damping = utils::logical(FLERR, arg[iarg + 1], false, lmp);
   } else {
-    return false;
+    limit_damping = utils::logical(FLERR, arg[iarg + 1], false, lmp);
   }
   return true;
 }

@@ -43,10 +43,6 @@ namespace GranLSDMaterial {
   bool parse_option(LAMMPS *lmp, const std::string &command, int narg, char **arg, int iarg,
                     double &offset, int &limit_damping, std::set<std::string> &given);
 
-  // a number that is one; `what` it is for the message
-
-  double finite(LAMMPS *lmp, const std::string &command, const std::string &what, const char *word);
-
 }    // namespace GranLSDMaterial
 }    // namespace LAMMPS_NS
 
