@@ -68,9 +68,10 @@ TEST_F(ClumpRanks, AClumpAcrossAllFaces)
     compare(3, [&] {
       script(box({16, 15, 14}) + "\nfix mol all property/atom mol ghost yes" +
              grain(1, {0.3, 0.1, 13.9}, 3.2) + grain(2, {3.2, 1.3, 0.4}, 2.6) +
-             grain(3, {1.4, 2.6, 1.7}, 2.9) + "\nset group all mol 1\nthermo_style custom step" +
-             fluid("accel 2e-3 1e-3 -1e-3 buoyancy 0 0 -0.3 gradp 0 1 0") + "\nfix b all " +
-             style + run(40));
+             grain(3, {1.4, 2.6, 1.7}, 2.9) +
+             "\nset atom 1 image 0 0 -1\nset group all mol 1\nthermo_style custom step" +
+             fluid("accel 2e-3 1e-3 -1e-3 buoyancy 0 0 -0.3 gradp 0 1 0") + "\nfix b all " + style +
+             run(40));
     });
 }
 
