@@ -98,10 +98,12 @@ class FixLbIbb : public Fix {
 
   // columns of array_atom, which is for all to see, and of history: force and torque before the
   // last fluid step, those of that step alone, where the grain was then, fluid steps it has seen,
-  // the mean density excess around it, and the mass it will give back and that it swallowed
+  // the mean density excess around it, the mass it will give back and that it swallowed, and what
+  // of its volume counts for others of its clump
   enum { FORCE = 0, TORQUE = 3, SHOWN = 6 };
   enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, REFUND = 17, SWALLOWED = 18 };
-  static constexpr int COLUMNS = 19;
+  enum { SHARED = 19 };
+  static constexpr int COLUMNS = 20;
   double **history;
   // by local and ghost atom; out go place, velocity, spin, EXCESS and REFUND, back come force,
   // torque, the two sums whose ratio is the density excess, and the mass swallowed
@@ -128,6 +130,10 @@ class FixLbIbb : public Fix {
   void check_disc_masses();
   bool warned_of_masses;
   bigint atoms_checked;    // how many there were then
+  // of spheres in one body, in fix_lb_ibb_clumps.cpp
+  bool has_clumps() const;
+  double displaced_volume(int i) const;
+  void share_volumes();
   void find_variables();
   void review_setup();
   void provide_ghosts();

@@ -160,7 +160,7 @@ void FixLbIbb::give_forces()
     if (options.conserve) past[REFUND] = lbm::refund(ghosted[i][8], past[SWALLOWED], ghosted[i][7]);
     past[SWALLOWED] = ghosted[i][8];
     if (options.has_gradp) {
-      const double volume = units.grain_volume(hydrodynamic_radius(i));
+      const double volume = displaced_volume(i);
       for (int d = 0; d < 3; d++) held[FORCE + d] -= volume * drive.gradp[d];
     }
     past[AGE] += 1.0;

@@ -114,7 +114,7 @@ void FixLbIbb::post_run()
   MPI_Allreduce(mine, most, 3, MPI_DOUBLE, MPI_MAX, world);
   const double links = compute_vector(12);
   const lbm::RefillCount &r = fluid->refilled();
-  double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.rest)};
+  double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.deep)};
   double gaps = fluid->gaps();
   neighbours->sum(refilled, 3);
   neighbours->sum(&gaps, 1);
@@ -127,7 +127,7 @@ void FixLbIbb::post_run()
   if (links > 0.0)
     text += fmt::format(
         "  {:.0f} cut links, {:.0f} of them closed in pairs in gaps of one node; nodes refilled so "
-        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at rest density; memory {:.4g} "
+        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at that around a grain; memory {:.4g} "
         "MiB on the fullest rank\n",
         links, 2.0 * gaps, refilled[0], refilled[1], refilled[2], most[2] / 1048576.0);
   utils::logmesg(lmp, text);

@@ -39,7 +39,7 @@ struct LBFace {
 };
 
 struct LBOptions {
-  double dx, nu, rho;
+  double dx = 0.0, nu = 0.0, rho = 0.0;
   int every = 1, check = 100;
   bool bgk = false, single = false, average = true, conserve = true;
   enum { AUTO, EXPLICIT, IMPLICIT } coupling = AUTO;

@@ -27,12 +27,13 @@ struct Finding {
 };
 
 struct Plan {
-  Units units;
-  double nu;
-  int every;                     // granular steps per fluid step
-  double pressure_difference;    // largest between two pressure faces; 0 if there are none
-  double face_speed;             // largest speed prescribed at a face
-  double smallest_radius;        // hydrodynamic; 0 if there are no grains
+  Units units{};
+  double nu = 0.0;
+  int every = 1;                       // granular steps per fluid step
+  double pressure_difference = 0.0;    // largest between two pressure faces; 0 if there are none
+  double face_speed = 0.0;             // largest speed prescribed at a face
+  double smallest_radius = 0.0;        // hydrodynamic; 0 if there are no grains
+  double acceleration = 0.0;           // of the fluid, by what drives it
 };
 
 std::vector<Finding> review(const Plan &plan);

@@ -91,7 +91,8 @@ namespace {
     void set_equilibrium(int x, int y, int z, const Moments &m) override
     {
       const Slots<L> f = block.slots();
-      for (int i = 0; i < L::Q; i++) f[i][at.index(x, y, z)] = bare_equilibrium<L>(i, m, force);
+      for (int i = 0; i < L::Q; i++)
+        f[i][at.index(x, y, z)] = typename L::Real(bare_equilibrium<L>(i, m, force));
     }
     bool solid(int x, int y, int z) const override
     {
