@@ -111,6 +111,9 @@ void ComputeLbIbbProfile::parse_keywords(int iarg, int narg, char **arg)
       error->all(FLERR, iarg,
                  "Compute lb/ibb/profile: unknown keyword '{}'; known are gravity, critical", name);
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "compute lb/ibb/profile " + name, error);
+    if ((name == "gravity" && has_gravity) || (name == "critical" && has_critical))
+      error->all(FLERR, iarg, "Compute lb/ibb/profile: {} is given twice: remove one of them",
+                 name);
     const double value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (name == "gravity") {
       gravity = value;

@@ -38,9 +38,10 @@ using lbm::Vec3;
 // ---------------------------------------------------------------------- birth and death
 
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), fluid_steps(0), first_step(-1), last_step(-1), history(nullptr),
-    ghosted(nullptr), nghosted(0), survey_step(-1), fastest{}, warned_of_masses(false),
-    atoms_checked(0), drive{}, buoyancy_before{}
+    Fix(lmp, narg, arg), units{}, nodes{1, 1, 1}, fluid_steps(0), first_step(-1), last_step(-1),
+    history(nullptr), ghosted(nullptr), nghosted(0), survey_step(-1), fastest{},
+    warned_of_masses(false), atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr),
+    moving_bits(0), held_bits(0), about(LOADS)
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)
@@ -63,7 +64,6 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
 
   units = {options.dx, options.every * update->dt, options.rho, domain->dimension};
   const char *direction[3] = {"x", "y", "z"};
-  nodes = {1, 1, 1};
   for (int d = 0; d < domain->dimension; d++) {
     std::string why;
     nodes[d] = lbm::cells(domain->prd[d], options.dx, direction[d], why);
@@ -71,14 +71,21 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   }
   fields = std::make_unique<LBFields>(lmp, nodes);
 
-  grow_arrays(atom->nmax);
+  FixLbIbb::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
-  for (int i = 0; i < atom->nlocal; i++) set_arrays(i);
+  for (int i = 0; i < atom->nlocal; i++) FixLbIbb::set_arrays(i);
+}
+
+// now already, for what a restart file holds of it
+void FixLbIbb::post_constructor()
+{
+  provide_light();
 }
 
 FixLbIbb::~FixLbIbb()
 {
   if (copymode) return;
+  if (light && modify->nfix) modify->delete_fix(std::string(id) + "_LIGHT");
   atom->delete_callback(id, Atom::GROW);
   memory->destroy(array_atom);
   memory->destroy(history);
@@ -94,14 +101,17 @@ int FixLbIbb::setmask()
 void FixLbIbb::setup(int)
 {
   review_setup();
+  share_volumes();
   survey_step = -1;    // forces may have changed, and the velocity has half of one in it
   start_clock();
   // The velocities are to be integrated with the forces that were there when the last run ended:
   // if it ended with a fluid step, those of before.
-  if (update->ntimestep == last_step)
+  const bool before = update->ntimestep == last_step;
+  if (before)
     add_forces(history, buoyancy_before);
   else
     add_forces(array_atom, drive.buoyancy);
+  yield(true, before);
 }
 
 // ---------------------------------------------------------------------- the step
@@ -110,6 +120,7 @@ void FixLbIbb::setup(int)
 void FixLbIbb::post_force(int)
 {
   add_forces(array_atom, drive.buoyancy);
+  yield(false, false);
 }
 
 // held[i]: force and torque
@@ -123,7 +134,7 @@ void FixLbIbb::add_forces(double **held, const Vec3 &gravity)
       torque[i][d] += held[i][TORQUE + d];
     }
     if (options.has_buoyancy) {
-      const double mass = options.rho * units.grain_volume(hydrodynamic_radius(i));
+      const double mass = options.rho * displaced_volume(i);
       for (int d = 0; d < 3; d++) f[i][d] -= mass * gravity[d];
     }
   }
@@ -138,7 +149,12 @@ void FixLbIbb::end_of_step()
   drive = evaluate_all();
   check_faces();
   drive_fluid(drive);
-  if (atom->natoms != atoms_checked) check_discs();
+  if (atom->natoms != atoms_checked) {
+    share_volumes();
+    check_discs();
+    provide_light();
+  }
+  correct_fluid();
   place_grains();
   const double placed = platform::walltime();
   fluid->follow(spheres);

@@ -35,6 +35,7 @@ class FixLbIbb : public Fix {
  public:
   FixLbIbb(class LAMMPS *, int, char **);
   ~FixLbIbb() override;
+  void post_constructor() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -88,8 +89,8 @@ class FixLbIbb : public Fix {
   // a run is timed from its set-up, or from its first fluid step if there is none (run pre no)
   struct Clock {
     bool running = false;
-    bigint first = 0;                                  // fluid_steps at its start
-    double start = 0.0, loop = 0.0;                    // wall time; of the whole loop once it is over
+    bigint first = 0;                  // fluid_steps at its start
+    double start = 0.0, loop = 0.0;    // wall time; of the whole loop once it is over
     double fluid = 0.0, grains = 0.0;
   } clock;
   void start_clock();
@@ -97,10 +98,12 @@ class FixLbIbb : public Fix {
 
   // columns of array_atom, which is for all to see, and of history: force and torque before the
   // last fluid step, those of that step alone, where the grain was then, fluid steps it has seen,
-  // the mean density excess around it, and the mass it will give back and that it swallowed
+  // the mean density excess around it, the mass it will give back and that it swallowed, and what
+  // of its volume counts for others of its clump
   enum { FORCE = 0, TORQUE = 3, SHOWN = 6 };
   enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, REFUND = 17, SWALLOWED = 18 };
-  static constexpr int COLUMNS = 19;
+  enum { SHARED = 19 };
+  static constexpr int COLUMNS = 20;
   double **history;
   // by local and ghost atom; out go place, velocity, spin, EXCESS and REFUND, back come force,
   // torque, the two sums whose ratio is the density excess, and the mass swallowed
@@ -127,6 +130,10 @@ class FixLbIbb : public Fix {
   void check_disc_masses();
   bool warned_of_masses;
   bigint atoms_checked;    // how many there were then
+  // of spheres in one body, in fix_lb_ibb_clumps.cpp
+  bool has_clumps() const;
+  double displaced_volume(int i) const;
+  void share_volumes();
   void find_variables();
   void review_setup();
   void provide_ghosts();
@@ -152,6 +159,21 @@ class FixLbIbb : public Fix {
   void give_forces();
   void check_grain(int i, const lbm::Sphere &s);
   void check_displacement(int i, const lbm::Sphere &s);
+
+  // light grains, in fix_lb_ibb_light.cpp: none of this is there without them
+  class FixStoreAtom *light;
+  int moving_bits, held_bits;    // groups of fixes that move grains by forces, and that do not
+  enum { TOLD = lbm::Response::SIZE + 6 };
+  std::vector<std::array<double, TOLD>> told;    // by local and ghost atom, between ranks
+  enum { LOADS, RESPONSES } about;               // what ranks exchange now
+  void find_integrators();
+  void provide_light();
+  bool is_light(int i) const;
+  bool below_limit(int i) const;
+  void yield(bool start, bool before);
+  void correct_fluid();
+  void keep_responses();
+  bigint light_grains() const;
 
   // watching
   void take_survey();

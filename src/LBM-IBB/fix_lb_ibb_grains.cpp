@@ -65,7 +65,8 @@ void FixLbIbb::place_grains()
                   {g[3], g[4], g[5]},
                   {g[6], g[7], g[8]},
                   g[9],
-                  g[10]};
+                  g[10],
+                  is_light(i)};
     if (i < atom->nlocal) check_grain(i, s);
     bool reaches = true;
     for (int d = 0; d < domain->dimension; d++) {
@@ -149,7 +150,7 @@ void FixLbIbb::give_forces()
       continue;
     }
     double *held = array_atom[i], *past = history[i];
-    const double old = (options.average && past[AGE] > 0.0) ? 0.5 : 0.0;
+    const double old = (options.average && past[AGE] > 0.0 && !is_light(i)) ? 0.5 : 0.0;
     for (int k = 0; k < 6; k++) {
       past[BEFORE + k] = held[k];
       held[k] = (1.0 - old) * ghosted[i][k] + old * past[LAST + k];
@@ -159,11 +160,12 @@ void FixLbIbb::give_forces()
     if (options.conserve) past[REFUND] = lbm::refund(ghosted[i][8], past[SWALLOWED], ghosted[i][7]);
     past[SWALLOWED] = ghosted[i][8];
     if (options.has_gradp) {
-      const double volume = units.grain_volume(hydrodynamic_radius(i));
+      const double volume = displaced_volume(i);
       for (int d = 0; d < 3; d++) held[FORCE + d] -= volume * drive.gradp[d];
     }
     past[AGE] += 1.0;
   }
+  keep_responses();
 }
 
 // ---------------------------------------------------------------------- per-atom data
@@ -205,7 +207,10 @@ int FixLbIbb::pack_forward_comm(int n, int *list, double *buf, int, int *)
 {
   int m = 0;
   for (int i = 0; i < n; i++)
-    for (int k = 0; k < OUT; k++) buf[m++] = ghosted[list[i]][k];
+    if (about == LOADS)
+      for (int k = 0; k < OUT; k++) buf[m++] = ghosted[list[i]][k];
+    else
+      for (int k = 0; k < 6; k++) buf[m++] = told[list[i]][k];
   return m;
 }
 
@@ -213,19 +218,25 @@ void FixLbIbb::unpack_forward_comm(int n, int first, double *buf)
 {
   int m = 0;
   for (int i = first; i < first + n; i++)
-    for (int k = 0; k < OUT; k++) ghosted[i][k] = buf[m++];
+    if (about == LOADS)
+      for (int k = 0; k < OUT; k++) ghosted[i][k] = buf[m++];
+    else
+      for (int k = 0; k < 6; k++) told[i][k] = buf[m++];
 }
 
 int FixLbIbb::pack_reverse_comm_size(int n, int)
 {
-  return n * BACK;
+  return n * (about == LOADS ? +BACK : +TOLD);
 }
 
 int FixLbIbb::pack_reverse_comm(int n, int first, double *buf)
 {
   int m = 0;
   for (int i = first; i < first + n; i++)
-    for (int k = 0; k < BACK; k++) buf[m++] = ghosted[i][k];
+    if (about == LOADS)
+      for (int k = 0; k < BACK; k++) buf[m++] = ghosted[i][k];
+    else
+      for (int k = 0; k < TOLD; k++) buf[m++] = told[i][k];
   return m;
 }
 
@@ -233,5 +244,8 @@ void FixLbIbb::unpack_reverse_comm(int n, int *list, double *buf)
 {
   int m = 0;
   for (int i = 0; i < n; i++)
-    for (int k = 0; k < BACK; k++) ghosted[list[i]][k] += buf[m++];
+    if (about == LOADS)
+      for (int k = 0; k < BACK; k++) ghosted[list[i]][k] += buf[m++];
+    else
+      for (int k = 0; k < TOLD; k++) told[list[i]][k] += buf[m++];
 }

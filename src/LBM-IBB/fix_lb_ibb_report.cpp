@@ -44,7 +44,7 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
     if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&
         options.face[d][1].kind == lbm::FaceKind::PRESSURE)
       text += fmt::format("  pressure planes along {} are {:.8g} apart (box length - dx){}\n",
-                          "xyz"[d], domain->prd[d] - options.dx,
+                          "xyz"[d], domain -> prd[d] - options.dx,
                           // measured: a staggered momentum (-1)^(x+t) is then never damped
                           nodes[d] % 2 == 0 ? ""
                                             : "; start slowly: with an odd number of nodes between "
@@ -61,6 +61,10 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
         options.link == lbm::LinkRule::HALFWAY ? ""
             : options.conserve                 ? "; mass that links swallow given back"
                                                : "; mass that links swallow lost");
+
+  if (const bigint yielding = light_grains())
+    text += fmt::format(
+        "  {} light grains answer to the fluid within its step: implicit coupling\n", yielding);
 
   std::string absent;
   auto has = [&](bool present, const char *name) {
@@ -110,7 +114,7 @@ void FixLbIbb::post_run()
   MPI_Allreduce(mine, most, 3, MPI_DOUBLE, MPI_MAX, world);
   const double links = compute_vector(12);
   const lbm::RefillCount &r = fluid->refilled();
-  double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.rest)};
+  double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.deep)};
   double gaps = fluid->gaps();
   neighbours->sum(refilled, 3);
   neighbours->sum(&gaps, 1);
@@ -123,7 +127,7 @@ void FixLbIbb::post_run()
   if (links > 0.0)
     text += fmt::format(
         "  {:.0f} cut links, {:.0f} of them closed in pairs in gaps of one node; nodes refilled so "
-        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at rest density; memory {:.4g} "
+        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at that around a grain; memory {:.4g} "
         "MiB on the fullest rank\n",
         links, 2.0 * gaps, refilled[0], refilled[1], refilled[2], most[2] / 1048576.0);
   utils::logmesg(lmp, text);

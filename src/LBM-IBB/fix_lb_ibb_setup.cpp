@@ -46,6 +46,8 @@ void FixLbIbb::init()
   check_order_of_fixes();
   warned_of_masses = false;
   check_discs();
+  find_integrators();
+  provide_light();
   find_variables();
   if (!has_started())
     create_fluid();
@@ -150,6 +152,11 @@ void FixLbIbb::check_order_of_fixes()
 {
   for (auto *other : modify->get_fix_list()) {
     if (other == this) return;
+    if (utils::strmatch(other->style, "^rigid") && comm->me == 0)
+      error->warning(FLERR,
+                     "Fix {} ({}) is defined before fix lb/ibb and does not see its forces at the "
+                     "start of a run, nor at all with bodyforces early: define it after",
+                     other->id, other->style);
     bool overrules = false;    // by suffixes too, e.g. freeze/kk
     for (const char *style : {"^freeze", "^setforce", "^enforce2d"})
       overrules = overrules || utils::strmatch(other->style, style);
@@ -255,7 +262,9 @@ void FixLbIbb::provide_ghosts()
   double smallest;
   const double largest = largest_radius(smallest);
   if (largest <= 0.0) return;
-  const double need = largest + 2.0 * options.dx + neighbor->skin;
+  // what overlaps a grain of a clump, for its volume, may lie further away than what covers a node
+  const bool clumps = has_clumps() && largest > 2.0 * options.dx;
+  const double need = largest + (clumps ? largest : 2.0 * options.dx) + neighbor->skin;
   const double have =
       std::max(comm->cutghostuser, force->pair ? force->pair->cutforce + neighbor->skin : 0.0);
   if (need <= have) return;
@@ -263,9 +272,8 @@ void FixLbIbb::provide_ghosts()
   if (comm->me == 0)
     utils::logmesg(
         lmp,
-        "Fix lb/ibb: raised the ghost cutoff from {:.6g} to {:.6g} (largest radius + 2 dx + "
-        "skin)\n",
-        have, need);
+        "Fix lb/ibb: raised the ghost cutoff from {:.6g} to {:.6g} ({} + skin)\n",
+        have, need, clumps ? "twice the largest radius" : "largest radius + 2 dx");
 }
 
 // rules that need the state at the start of a run: variables, radii
@@ -277,7 +285,8 @@ void FixLbIbb::review_setup()
     drive_fluid(now);
     fluid->fill(0.0);    // at rest under the force that acts
   }
-  lbm::Plan plan{units, options.nu, nevery, now.pressure_difference, now.face_speed, 0.0};
+  lbm::Plan plan{units, options.nu, nevery, now.pressure_difference, now.face_speed, 0.0,
+                 std::hypot(now.force[0], now.force[1], now.force[2]) / options.rho};
   const double largest = largest_radius(plan.smallest_radius);
   if (plan.smallest_radius <= 0.0 && atom->radius_flag && group->count(igroup) > 0)
     error->all(

@@ -59,8 +59,9 @@ FixWallGranLSDCoulomb::FixWallGranLSDCoulomb(LAMMPS *lmp, int narg, char **arg) 
   iarg = parse_planes(iarg, narg, arg);
 
   int limit_damping = 0;
+  std::set<std::string> given;
   while (iarg < narg) {
-    if (GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping))
+    if (GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping, given))
       iarg += 2;
     else if (strcmp(arg[iarg], "shear") == 0 || strcmp(arg[iarg], "wiggle") == 0)
       iarg = parse_motion(iarg, narg, arg);
@@ -243,7 +244,7 @@ void FixWallGranLSDCoulomb::post_force(int /*vflag*/)
     vwall[along] = speed;
   } else if (motion == WIGGLE) {
     const double frequency = MathConst::MY_2PI / period;
-    const double phase = frequency * dt * (update->ntimestep - time_origin);
+    const double phase = frequency * dt * double(update->ntimestep - time_origin);
     vwall[along] = amplitude * frequency * sin(phase);
     if (along == normal) shift = amplitude - amplitude * cos(phase);
   }

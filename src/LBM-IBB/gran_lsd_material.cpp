@@ -35,7 +35,7 @@ using namespace LAMMPS_NS;
 
 static void bcast(std::string &text, MPI_Comm world)
 {
-  int n = text.size();
+  int n = int(text.size());
   MPI_Bcast(&n, 1, MPI_INT, 0, world);
   text.resize(n);
   if (n > 0) MPI_Bcast(&text[0], n, MPI_CHAR, 0, world);
@@ -136,18 +136,20 @@ GranLSD::Material GranLSDMaterial::parse(LAMMPS *lmp, const std::string &command
 /* ---------------------------------------------------------------------- */
 
 bool GranLSDMaterial::parse_option(LAMMPS *lmp, const std::string &command, int narg, char **arg,
-                                   int iarg, double &offset, int &limit_damping)
+                                   int iarg, double &offset, int &limit_damping,
+                                   std::set<std::string> &given)
 {
   if (iarg + 2 > narg)
     utils::missing_cmd_args(FLERR, fmt::format("{} {}", command, arg[iarg]), lmp->error);
+  if (strcmp(arg[iarg], "offset") != 0 && strcmp(arg[iarg], "limit_damping") != 0) return false;
+  if (!given.insert(arg[iarg]).second)
+    lmp->error->all(FLERR, "{}: {} is given twice: remove one of them", command, arg[iarg]);
   if (strcmp(arg[iarg], "offset") == 0) {
     offset = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (!(offset >= 0.0) || std::isinf(offset))
       lmp->error->all(FLERR, "{}: offset {} must be 0 or positive", command, offset);
-  } else if (strcmp(arg[iarg], "limit_damping") == 0) {
-    limit_damping = utils::logical(FLERR, arg[iarg + 1], false, lmp);
   } else {
-    return false;
+    limit_damping = utils::logical(FLERR, arg[iarg + 1], false, lmp);
   }
   return true;
 }

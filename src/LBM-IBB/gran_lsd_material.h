@@ -21,6 +21,7 @@
 #include "gran_lsd_law.h"
 #include "pointers.h"
 
+#include <set>
 #include <string>
 
 namespace LAMMPS_NS {
@@ -36,10 +37,11 @@ namespace GranLSDMaterial {
   GranLSD::Material parse(LAMMPS *lmp, const std::string &command, int narg, char **arg, int iarg);
 
   // keyword and value "offset" or "limit_damping" at arg[iarg]; false = it is
-  // another keyword, that has a value too
+  // another keyword, that has a value too; one that is among those given already
+  // is refused
 
   bool parse_option(LAMMPS *lmp, const std::string &command, int narg, char **arg, int iarg,
-                    double &offset, int &limit_damping);
+                    double &offset, int &limit_damping, std::set<std::string> &given);
 
 }    // namespace GranLSDMaterial
 }    // namespace LAMMPS_NS

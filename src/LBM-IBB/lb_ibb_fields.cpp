@@ -89,10 +89,10 @@ struct LBFields::Field {
   void *data() { return d2 ? (void *) d2 : d3 ? (void *) d3 : (void *) d4; }
 };
 
-LBFields::LBFields(LAMMPS *lmp, const lbm::Int3 &global_) : Pointers(lmp), global(global_)
+LBFields::LBFields(LAMMPS *lmp, const lbm::Int3 &global_) :
+    Pointers(lmp), global(global_), lo_{0, 0, 0}
 {
   lbm::Int3 hi{0, 0, 0};
-  lo_ = {0, 0, 0};
   if (domain->dimension == 2) {
     grid2 = cut2(lmp, world, global);
     bounds(*grid2, lo_, hi);

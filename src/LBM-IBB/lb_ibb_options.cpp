@@ -99,6 +99,17 @@ void LBOptionsParser::keyword()
     o.average = utils::logical(FLERR, next("yes or no"), false, lmp) == 1;
   } else if (name == "conserve") {
     o.conserve = utils::logical(FLERR, next("yes or no"), false, lmp) == 1;
+  } else if (name == "coupling") {
+    const int at = iarg;
+    const std::string how = next("auto, explicit or implicit");
+    if (how == "auto")
+      o.coupling = LBOptions::AUTO;
+    else if (how == "explicit")
+      o.coupling = LBOptions::EXPLICIT;
+    else if (how == "implicit")
+      o.coupling = LBOptions::IMPLICIT;
+    else
+      refuse(at, "'" + how + "' is none of auto, explicit, implicit");
   } else if (name == "shrink") {
     const int at = iarg;
     o.shrink = number("shrink");
@@ -116,7 +127,8 @@ void LBOptionsParser::keyword()
   } else {
     error->all(FLERR, iarg,
                "Fix lb/ibb: unknown keyword '{}'; known are every, collision, precision, link, "
-               "refill, face, accel, gradp, buoyancy, shrink, average, conserve, check",
+               "refill, face, accel, gradp, buoyancy, shrink, average, conserve, "
+               "coupling, check",
                name);
   }
 }

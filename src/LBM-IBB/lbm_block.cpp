@@ -12,9 +12,9 @@
 
 namespace lbm {
 
-Layout::Layout(const Int3 &lo_, const Int3 &n_, int dimension) : lo(lo_), n(n_)
+Layout::Layout(const Int3 &lo_, const Int3 &n_, int dimension) :
+    lo(lo_), n(n_), ghost{1, 1, dimension == 3 ? 1 : 0}
 {
-  ghost = {1, 1, dimension == 3 ? 1 : 0};
   stride_y = n[0] + 2 * ghost[0];
   stride_z = stride_y * (n[1] + 2 * ghost[1]);
   origin = ghost[0] + ghost[1] * stride_y + ghost[2] * stride_z;

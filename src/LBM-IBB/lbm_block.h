@@ -39,9 +39,9 @@ struct Region {
 
 // Where nodes lie in memory; shared by populations and by maps of the same box
 struct Layout {
-  Int3 lo, n;    // first owned node of the whole lattice, owned nodes along x, y, z
-  Int3 ghost;    // layers of ghost nodes: 1, along z 0 in two dimensions
-  Index stride_y, stride_z, origin, size;
+  Int3 lo{}, n{};    // first owned node of the whole lattice, owned nodes along x, y, z
+  Int3 ghost{};      // layers of ghost nodes: 1, along z 0 in two dimensions
+  Index stride_y = 0, stride_z = 0, origin = 0, size = 0;
 
   Layout() = default;
   Layout(const Int3 &lo, const Int3 &n, int dimension);

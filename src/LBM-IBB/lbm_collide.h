@@ -84,7 +84,7 @@ template <class L> struct Trt {
 
     unroll<L::P>([&](auto p) LBM_INLINE {
       constexpr int i = p + 1, o = i + L::P;
-      constexpr Real w = L::w[i];
+      constexpr Real w = Real(L::w[i]);
       const V ej = along<L, i>(j), eu = along<L, i>(u);
       const V even_eq = w * (base + Real(4.5) * (ej * eu));
       const V odd_eq = Real(3.0 * L::w[i]) * ej;

@@ -40,7 +40,7 @@ void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, co
     auto *back = f[opposite<L>(i)];
     if (wall != 0.0)
       for_each_node(at, d, side, [&](Index n, const Int3 &) {
-        back[n] -= wall;
+        back[n] = typename L::Real(back[n] - wall);
       });
   });
 }
@@ -70,7 +70,7 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
       if (en < 0) outgoing += f[i][n];
       if (en != 0) continue;
       in_plane += f[i][n];
-      for (int t = 0; t < L::D; t++) tangential[t] += L::e[i][t] * f[i][n];
+      for (int t = 0; t < L::D; t++) tangential[t] += L::e[i][t] * double(f[i][n]);
     }
     // density and bare momentum j = rho u - F/2, from: sum of f = rho and of e f = j
     const double Fn = 0.5 * force[d] * inward;
@@ -90,7 +90,7 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
       // correction of the tangential momentum, shared by the two directions along t
       for (int t = 0; t < L::D; t++)
         if (t != d) fi += 0.5 * e[t] * (2.0 / 3.0 * j[t] - tangential[t]);
-      f[i][n] = fi;
+      f[i][n] = typename L::Real(fi);
     }
   });
 }

@@ -56,6 +56,22 @@ void Links::clear()
   size = 0;
 }
 
+void Links::append(const Links &other)
+{
+  const auto join = [&](auto &list, const auto &more) {
+    list.resize(size);
+    list.insert(list.end(), more.begin(), more.begin() + std::ptrdiff_t(other.size));
+  };
+  join(node, other.node);
+  join(q, other.q);
+  for (LinkGroup group : other.groups) {
+    group.begin += uint32_t(size);
+    group.end += uint32_t(size);
+    groups.push_back(group);
+  }
+  size += other.size;
+}
+
 void Links::trim()
 {
   auto fit = [this](auto &list) {

@@ -52,7 +52,7 @@ struct Gaps {
 // a face of the box: no fluid is there to press the two apart. Sums over such links from nodes of t
 // to nodes of s; w weighs them as populations do.
 struct Hidden {
-  int32_t s, t;    // t = FLUID: behind a face
+  int32_t s = 0, t = FLUID;    // t = FLUID: behind a face
   Vec3 we{},
       wxe{};    // of w e, and of w x times e with x the middle of the link, block coordinates
 };
@@ -73,7 +73,8 @@ struct Links {
   std::vector<GapFound> gaps_found;
 
   void clear();    // all but the pockets, which wait for the links of all spheres
-  void trim();     // give back what is allocated and not in use, scratch too
+  void append(const Links &other);    // its groups of links alone
+  void trim();                        // give back what is allocated and not in use, scratch too
   double bytes() const;
 };
 

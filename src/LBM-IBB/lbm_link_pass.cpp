@@ -33,6 +33,7 @@ void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const flo
     list.clear();
     list.pockets.clear();
   }
+  yielding_.clear();
   links_ = gaps_ = 0;
   if (tiles_.cut()) find_near();
 }
@@ -93,19 +94,27 @@ void LinkPass<L>::find(std::size_t s, const Region &region, Links &list, const S
   gaps_ += list.gaps.size() - gaps;
   if (!moved_) return;
   bounce(list, f);
+  if (cover_->spheres()[s].yields) yielding_.append(list);
   list.clear();
+}
+
+template <class L> template <class F> void LinkPass<L>::with_rule(F &&f) const
+{
+  switch (rule_) {
+    case LinkRule::HALFWAY:
+      return f(Halfway{});
+    case LinkRule::BOUZIDI:
+      return f(Bouzidi{});
+    case LinkRule::CLI:
+      return f(Cli{});
+  }
 }
 
 template <class L> void LinkPass<L>::bounce(const Links &links, const Slots<L> &f)
 {
-  switch (rule_) {
-    case LinkRule::HALFWAY:
-      return bounce_with<Halfway>(links, f);
-    case LinkRule::BOUZIDI:
-      return bounce_with<Bouzidi>(links, f);
-    case LinkRule::CLI:
-      return bounce_with<Cli>(links, f);
-  }
+  with_rule([&](auto rule) {
+    bounce_with<decltype(rule)>(links, f);
+  });
 }
 
 template <class L>
@@ -137,9 +146,34 @@ template <class L> void LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 
   for (const Links &list : lists_) lbm::fill_pockets<L>(at_, f, *cover_, list.pockets, force);
 }
 
+template <class L> template <class F> void LinkPass<L>::for_each_yielding(F &&f) const
+{
+  with_rule([&](auto rule) {
+    if (moved_)
+      f(rule, yielding_);
+    else
+      for (const Links &list : lists_) f(rule, list);
+  });
+}
+
+template <class L> void LinkPass<L>::add_responses(std::vector<Response> &responses) const
+{
+  for_each_yielding([&](auto rule, const Links &links) {
+    lbm::add_responses<L, decltype(rule)>(at_, *cover_, links, responses);
+  });
+}
+
+template <class L>
+void LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) const
+{
+  for_each_yielding([&](auto rule, const Links &links) {
+    lbm::correct<L, decltype(rule)>(at_, f, *cover_, links, gains);
+  });
+}
+
 template <class L> double LinkPass<L>::bytes() const
 {
-  double sum = 0.0;
+  double sum = yielding_.bytes();
   for (const Links &list : lists_) sum += list.bytes();
   return sum + double((first_near_.capacity() + near_.capacity()) * sizeof(uint32_t));
 }

@@ -15,6 +15,7 @@
 
 #include "lbm_link.h"
 #include "lbm_tile.h"
+#include "lbm_yield.h"
 
 namespace lbm {
 
@@ -40,6 +41,10 @@ template <class L> class LinkPass {
   // last of all, see fill_pockets()
   void fill_pockets(const Slots<L> &f, const Vec3 &force) const;
 
+  // of the links of the last step, see lbm_yield.h
+  void add_responses(std::vector<Response> &responses) const;
+  void correct(const Slots<L> &f, const std::vector<Gain> &gains) const;
+
   double links() const { return double(links_); }    // in the last step, gaps included
   double gaps() const { return double(gaps_); }
   double bytes() const;
@@ -57,6 +62,7 @@ template <class L> class LinkPass {
   Motion motion_ = Motion::REST;
   // of spheres that stay, by tile, the shell last; or one, of a moving sphere
   std::vector<Links> lists_;
+  Links yielding_;    // of moving spheres that yield
   // spheres that may have links behind each tile k: near_[first_near_[k]] ...
   std::vector<uint32_t> first_near_, near_;
   std::size_t links_ = 0, gaps_ = 0;
@@ -68,6 +74,8 @@ template <class L> class LinkPass {
   void bounce(const Links &links, const Slots<L> &f);
   template <class Rule> void bounce_with(const Links &links, const Slots<L> &f);
   template <class Rule, Motion motion> void bounce_in(const Links &links, const Slots<L> &f);
+  template <class F> void with_rule(F &&f) const;
+  template <class F> void for_each_yielding(F &&f) const;
 };
 
 }    // namespace lbm

@@ -9,10 +9,16 @@
 
 namespace lbm {
 
+// memcpy must not be given null, not even for nothing
+static void copy_words(void *to, const void *from, std::size_t n)
+{
+  if (n > 0) std::memcpy(to, from, 4 * n);
+}
+
 void Alone::shift_words(int d, int, const void *send, std::size_t nsend, void *receive,
                         std::size_t nreceive)
 {
-  if (periodic_[d]) std::memcpy(receive, send, 4 * std::min(nsend, nreceive));
+  if (periodic_[d]) copy_words(receive, send, std::min(nsend, nreceive));
 }
 
 MpiNeighbours::MpiNeighbours(MPI_Comm comm, const std::array<std::array<int, 2>, 3> &rank) :
@@ -26,7 +32,7 @@ void MpiNeighbours::shift_words(int d, int side, const void *send, std::size_t n
 {
   const int to = rank_[d][side], from = rank_[d][1 - side];
   if (to == me_ && from == me_) {
-    std::memcpy(receive, send, 4 * std::min(nsend, nreceive));
+    copy_words(receive, send, std::min(nsend, nreceive));
     return;
   }
   constexpr std::size_t limit = std::numeric_limits<int>::max();

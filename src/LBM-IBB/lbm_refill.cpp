@@ -164,16 +164,19 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
       m.drho /= known;
     else if (arriving_density<L>(at, f, before, nodes[k], m.u, force, m.drho))
       count.equilibrium++;
-    else
-      count.rest++;
+    else {    // deep in a sphere that is gone
+      m.drho = before.spheres()[nodes[k].sphere].drho;
+      count.deep++;
+    }
     if (known) count.grad++;
 
     // f = f_eq + 4.5 w rho P:(ee - I/3),  P = -(tau/3) (grad u + grad u^T)
     const Eigen::Matrix3d P = -tau / 3.0 * (gradient + gradient.transpose());
     for (int i = 0; i < L::Q; i++) {
       const Eigen::Vector3d e(L::e[i][0], L::e[i][1], L::e[i][2]);
-      f[i][nodes[k].n] = bare_equilibrium<L>(i, m, force) +
-          4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0);
+      f[i][nodes[k].n] = typename L::Real(
+          bare_equilibrium<L>(i, m, force) +
+          4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0));
     }
   }
 }
@@ -184,7 +187,7 @@ void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vecto
 {
   for (const Uncovered &node : nodes) {
     const Moments m{drho_mean, solid_velocity(before, node)};
-    for (int i = 0; i < L::Q; i++) f[i][node.n] = bare_equilibrium<L>(i, m, force);
+    for (int i = 0; i < L::Q; i++) f[i][node.n] = typename L::Real(bare_equilibrium<L>(i, m, force));
     count.equilibrium++;
   }
 }
@@ -221,7 +224,7 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
       m.drho = f[arriving][n] - f[sent][n + at.offset(L::e[sent])];
       for (int i = 0; i < L::Q; i++) m.drho += f[i][n + at.offset(L::e[i])];
     }
-    for (int i = 0; i < L::Q; i++) f[i][n] = bare_equilibrium<L>(i, m, force);
+    for (int i = 0; i < L::Q; i++) f[i][n] = typename L::Real(bare_equilibrium<L>(i, m, force));
   }
 }
 

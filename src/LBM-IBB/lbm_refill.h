@@ -5,7 +5,7 @@
 //   grad         local mean density and Grad's approximation (Chikatamarla, Ansumali & Karlin 2006)
 //                with the velocity gradient by differences to the neighbours along the axes;
 //                no such neighbour: equilibrium with the density of the populations that arrive;
-//                none arrives from fluid: equilibrium with rest density
+//                none arrives from fluid: equilibrium with the mean density around the sphere
 //   equilibrium  the rule of the paper: equilibrium with the mean density of the whole system
 
 #ifndef LBM_REFILL_H
@@ -20,7 +20,7 @@ enum class RefillRule { GRAD, EQUILIBRIUM };
 
 // how many nodes were filled, and by which rule they had to be
 struct RefillCount {
-  std::int64_t grad = 0, equilibrium = 0, rest = 0;
+  std::int64_t grad = 0, equilibrium = 0, deep = 0;
 };
 
 // owned nodes covered before and not now

@@ -79,6 +79,18 @@ namespace {
                p.face_speed, Ma, Ma > MACH_LIMIT ? MACH_LIMIT : MACH_WARN)});
   }
 
+  // half of the force of a step is in the velocity of that step
+  void review_acceleration(const Plan &p, std::vector<Finding> &found)
+  {
+    const double speed = 0.5 * p.acceleration * p.units.dt, Ma = speed / p.units.sound_speed();
+    if (Ma <= MACH_LIMIT) return;
+    found.push_back({true,
+                     print("accel and gradp give the fluid a speed of %g within half a fluid step, "
+                           "Ma = %.3g of the lattice's sound speed, limit %g: reduce them, or the "
+                           "fluid time step (timestep, every)",
+                           speed, Ma, MACH_LIMIT)});
+  }
+
   void review_radius(const Plan &p, std::vector<Finding> &found)
   {
     if (p.smallest_radius <= 0.0) return;
@@ -109,6 +121,7 @@ std::vector<Finding> review(const Plan &plan)
   review_tau(plan, found);
   review_pressure(plan, found);
   review_speed(plan, found);
+  review_acceleration(plan, found);
   review_radius(plan, found);
   review_every(plan, found);
   return found;

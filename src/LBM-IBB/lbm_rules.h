@@ -15,6 +15,9 @@ namespace lbm {
 
 constexpr double MACH_WARN = 0.1, MACH_LIMIT = 0.3;          // Mansouri et al. 2016, section 3.2
 constexpr double EXCESS_WARN = 0.05, EXCESS_LIMIT = 0.20;    // of the density
+// Density ratio times radius in cells below which a held force may throw a grain back and forth:
+// twice what was found for the mean of two steps; four times for the force of the last step alone
+constexpr double LIGHT_LIMIT = 1.6;
 constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;      // cells per radius, section 4.1
 constexpr double TAU_LOW = 0.51, TAU_HIGH = 3.0;
 
@@ -24,12 +27,13 @@ struct Finding {
 };
 
 struct Plan {
-  Units units;
-  double nu;
-  int every;                     // granular steps per fluid step
-  double pressure_difference;    // largest between two pressure faces; 0 if there are none
-  double face_speed;             // largest speed prescribed at a face
-  double smallest_radius;        // hydrodynamic; 0 if there are no grains
+  Units units{};
+  double nu = 0.0;
+  int every = 1;                       // granular steps per fluid step
+  double pressure_difference = 0.0;    // largest between two pressure faces; 0 if there are none
+  double face_speed = 0.0;             // largest speed prescribed at a face
+  double smallest_radius = 0.0;        // hydrodynamic; 0 if there are no grains
+  double acceleration = 0.0;           // of the fluid, by what drives it
 };
 
 std::vector<Finding> review(const Plan &plan);

@@ -5,9 +5,9 @@
 #include "lbm_halo.h"
 #include "lbm_sweep.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 namespace lbm {
 namespace {
@@ -75,7 +75,10 @@ namespace {
         pass.fill_pockets(block.slots(), force);
       }
       open_faces();
+      find_responses();
     }
+    const std::vector<Response> &responses() const override { return responses_; }
+    void correct(const std::vector<Gain> &gains) override { pass.correct(block.slots(), gains); }
 
     void set_force(const Vec3 &f) override { force = f; }
     void set_face(int d, int side, const Vec3 &u, double drho) override
@@ -97,7 +100,8 @@ namespace {
     void set_equilibrium(int x, int y, int z, const Moments &m) override
     {
       const Slots<L> f = block.slots();
-      for (int i = 0; i < L::Q; i++) f[i][at.index(x, y, z)] = bare_equilibrium<L>(i, m, force);
+      for (int i = 0; i < L::Q; i++)
+        f[i][at.index(x, y, z)] = typename L::Real(bare_equilibrium<L>(i, m, force));
     }
     bool solid(int x, int y, int z) const override
     {
@@ -134,6 +138,7 @@ namespace {
     std::unique_ptr<Cover> now, before;
     bool moved = false;
     Motion motion = Motion::REST;
+    std::vector<Response> responses_;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
     RefillCount refill_count;
 
@@ -191,6 +196,19 @@ namespace {
         collide_and_stream(pass.tiles().swept(k));
         pass.inner(k, block.slots(block.step() + 1));
       }
+    }
+
+    void find_responses()
+    {
+      responses_.clear();
+      if (!spheres_here()) return;
+      const auto &list = now->spheres();
+      if (std::none_of(list.begin(), list.end(), [](const Sphere &s) {
+            return s.yields;
+          }))
+        return;
+      responses_.resize(list.size());
+      pass.add_responses(responses_);
     }
 
     void open_faces()

@@ -47,6 +47,10 @@ class Fluid {
   // One step. loads[s] is the momentum that sphere s of the last follow() got through links of this
   // rank's nodes: to be summed over ranks and images. Collective.
   virtual void advance(std::vector<Load> &loads) = 0;
+  // of the spheres of the last follow() if any of them yields, else empty; to be summed as loads
+  virtual const std::vector<Response> &responses() const = 0;
+  // Before the next follow(): by how much they were faster than handed in, by sphere.
+  virtual void correct(const std::vector<Gain> &gains) = 0;
 
   // force density on the fluid, and values at the faces, from the next step on
   virtual void set_force(const Vec3 &force) = 0;

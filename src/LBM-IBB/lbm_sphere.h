@@ -22,6 +22,8 @@ struct Sphere {
   double drho = 0.0;
   // mass to give back, shared by its links as their weights: see refund()
   double refund = 0.0;
+  // its velocity will answer to the fluid before the next step, see lbm_yield.h
+  bool yields = false;
 
   Vec3 velocity_at(const Vec3 &arm) const
   {

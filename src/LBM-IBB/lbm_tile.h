@@ -46,8 +46,7 @@ template <class F> void Tiles::for_each_behind(const Region &region, F &&f) cons
   }
   for (int k = first[2]; k <= last[2]; k++)
     for (int j = first[1]; j <= last[1]; j++)
-      for (int i = first[0]; i <= last[0]; i++)
-        f(i + parts_[0] * (j + std::size_t(parts_[1]) * k));
+      for (int i = first[0]; i <= last[0]; i++) f(i + parts_[0] * (j + std::size_t(parts_[1]) * k));
 }
 
 }    // namespace lbm

@@ -20,6 +20,7 @@
 #include "atom.h"
 #include "citeme.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "fix.h"
 #include "force.h"
@@ -205,12 +206,6 @@ void PairGranLSDCoulomb::init_style()
 
   GranLSDGrains::check_units(lmp, STYLE);
 
-  // Granular neighbor lists hold the pairs closer than r_i + r_j + skin, which
-  // an offset would eat up.  With one, take a list by the cutoffs of init_one(),
-  // which include the offset: longer where sizes differ, but complete.
-
-  neighbor->add_request(this, (offset > 0.0) ? NeighConst::REQ_DEFAULT : NeighConst::REQ_SIZE);
-
   dt = update->dt;
   inertia_factor = GranLSDGrains::inertia_factor(lmp);
 
@@ -229,6 +224,33 @@ void PairGranLSDCoulomb::init_style()
   }
 
   GranLSDGrains::largest_radii(lmp, freeze_group_bit, maxrad_dynamic, maxrad_frozen);
+  check_offset();
+
+  // Granular neighbor lists hold the pairs closer than r_i + r_j + skin, which
+  // an offset would eat up.  With one, take a list by the cutoffs of init_one(),
+  // which include the offset: longer where sizes differ, but complete.  Last of
+  // all: a request of a style that ends in an error would outlive it.
+
+  neighbor->add_request(this, (offset > 0.0) ? NeighConst::REQ_DEFAULT : NeighConst::REQ_SIZE);
+}
+
+/* ----------------------------------------------------------------------
+   cutoffs contain the offset: a huge one would fill memory with ghost atoms
+------------------------------------------------------------------------- */
+
+void PairGranLSDCoulomb::check_offset() const
+{
+  double limit = 0.0;
+  for (int i = 1; i <= atom->ntypes; i++)
+    limit = MAX(limit, MAX(maxrad_dynamic[i], maxrad_frozen[i]));
+  const char *what = "the largest radius";
+  if (limit <= 0.0) {    // grains may come later
+    limit = 0.5 * MIN(domain->prd[0], domain->prd[1]);
+    what = "half of the box";
+  }
+  if (offset > limit)
+    error->all(FLERR, "{}: offset {} is larger than {}, {}: offsets are small parts of radii",
+               STYLE, offset, what, limit);
 }
 
 /* ----------------------------------------------------------------------

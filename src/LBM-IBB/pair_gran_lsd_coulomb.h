@@ -57,6 +57,7 @@ class PairGranLSDCoulomb : public PairGranHooke {
   GranLSDLightestGrains lightest;    // the ones that have it
 
   void allocate();
+  void check_offset() const;
   void update_rigid_masses();
   GranLSD::Force contact(int, int, double, double, const double *, const GranLSD::Law &, double &,
                          double &) const;

@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 
 using namespace LAMMPS_NS;
 
@@ -54,9 +55,10 @@ void PairGranLSDCoulomb::settings(int narg, char **arg)
 {
   offset = 0.0;
   limit_damping = 0;
+  std::set<std::string> given;
 
   for (int iarg = 0; iarg < narg; iarg += 2)
-    if (!GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping))
+    if (!GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping, given))
       error->all(FLERR, "{}: unknown keyword {}, known are offset and limit_damping", STYLE,
                  arg[iarg]);
 
@@ -78,9 +80,13 @@ void PairGranLSDCoulomb::coeff(int narg, char **arg)
                arg[2 + GranLSDMaterial::NWORDS]);
   if (!allocated) allocate();
 
-  int ilo, ihi, jlo, jhi;
-  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
-  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  int ilo = 0, ihi = 0, jlo = 0, jhi = 0;
+  try {
+    utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+    utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  } catch (std::logic_error &) {    // of std::stol: a lone sign, too many digits
+    error->all(FLERR, "{}: {} {} are no atom types or ranges of them", COEFF, arg[0], arg[1]);
+  }
   const auto mat = GranLSDMaterial::parse(lmp, COEFF, narg, arg, 2);
 
   int count = 0;

@@ -23,7 +23,7 @@ class Solver {
   Node n;
   Vec force{};
   std::vector<lbm::Load> loads;
-  long links = 0, gaps = 0, refilled_grad = 0, refilled_equilibrium = 0, refilled_rest = 0;
+  long links = 0, gaps = 0, refilled_grad = 0, refilled_equilibrium = 0, refilled_deep = 0;
 
   Solver(const lbm::Settings &settings, const Node &n) :
       settings(settings), n(n), dirs(directions(settings.dimension)),
@@ -248,7 +248,8 @@ class Solver {
   void press_from_face(const Owner &mine, const Direction &outwards);
   void refill(const std::vector<Owner> &before, const std::vector<lbm::Sphere> &spheres_before);
   void fill_if_pocket(std::size_t x);
-  Real arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before);
+  Real arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before,
+                       Real deep);
 
   // Zou & He 1997: non-equilibrium bounce-back, then the tangential momentum put right by equal and
   // opposite changes. Density and momentum follow from the populations that are known.

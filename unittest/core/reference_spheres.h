@@ -261,7 +261,7 @@ inline void Solver::refill(const std::vector<Owner> &before,
       rho = 1.0 + rho / known;
       refilled_grad++;
     } else {
-      rho = 1.0 + arriving_excess(x, u, before);
+      rho = 1.0 + arriving_excess(x, u, before, sphere.drho);
     }
     Real shear[3][3], trace = 0.0;
     for (int a = 0; a < 3; a++)
@@ -278,7 +278,8 @@ inline void Solver::refill(const std::vector<Owner> &before,
 }
 
 // density excess with which fluid neighbours would have sent what arrives here, to first order
-inline Real Solver::arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before)
+inline Real Solver::arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before,
+                                    Real deep)
 {
   Real sum = 0.0, weight = 0.0;
   for (std::size_t i = 0; i < dirs.size(); i++) {
@@ -292,8 +293,8 @@ inline Real Solver::arriving_excess(std::size_t x, const Vec &u, const std::vect
   if (weight > 0.0)
     refilled_equilibrium++;
   else
-    refilled_rest++;
-  return weight > 0.0 ? sum / weight : 0.0;
+    refilled_deep++;
+  return weight > 0.0 ? sum / weight : deep;
 }
 
 }    // namespace reference

@@ -92,6 +92,7 @@ class Box {
   std::unique_ptr<lbm::Fluid> fluid;
   std::vector<lbm::Load> loads;    // by grain, images summed
   bool conserve = false;
+  Images now;    // of the last follow()
 
   Box(const lbm::Settings &settings, const Int3 &n, const Vec3 &force = {}) :
       settings(settings), n(n), neighbours(std::make_unique<lbm::Alone>(periodic(settings))),
@@ -156,7 +157,6 @@ class Box {
 
  private:
   std::vector<lbm::Sphere> grains;
-  Images now;
   std::map<std::int64_t, double> drho, refund, swallowed;    // of each grain, of the last step
 };
 

@@ -83,7 +83,7 @@ void compare(const Case &c)
   const RefillCount &count = box.fluid->refilled();
   EXPECT_EQ(count.grad, plain.refilled_grad);
   EXPECT_EQ(count.equilibrium, plain.refilled_equilibrium);
-  EXPECT_EQ(count.rest, plain.refilled_rest);
+  EXPECT_EQ(count.deep, plain.refilled_deep);
   for (const char *what : {"links", "gaps"})
     ::testing::Test::RecordProperty(what, int(what[0] == 'l' ? links : gaps));
 }

@@ -190,6 +190,8 @@ TEST_F(Profile, Refusals)
   EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 critical 0",
                "critical = 0 must be larger than 0");
   EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 gravity", "Illegal compute");
+  EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 gravity 1 gravity 1",
+               "gravity is given twice");
   EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 weight 1", "unknown keyword 'weight'");
   script(profile("z layers 4"));
   EXPECT_THROW(rows(), LAMMPS_NS::LAMMPSException);    // before the first run

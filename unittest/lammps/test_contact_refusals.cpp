@@ -255,3 +255,50 @@ TEST_F(ContactTest, WallsThatAreRefused)
   EXPECT_ERROR("fix w all wall/gran/lsd/coulomb 1e6 0.9 0.45 yplane 0 NULL shear z 1",
                "cannot move along z in 2d");
 }
+
+/* ---- words and numbers ---- */
+
+TEST_F(ContactTest, WordsOfThePairStyleThatAreRefused)
+{
+  const std::string scene = box() + grain(1, 0, 0, 0, 2e-4) + grain(2, 0.001, 0, 0, 3e-4);
+  auto refusal = [&](const std::string &settings, const std::string &coeff = "* * 1000 0.8 0.45") {
+    start();
+    return error_of(scene + "\npair_style gran/lsd/coulomb " + settings + "\npair_coeff " + coeff +
+                    "\ntimestep 1e-9\nrun 0");
+  };
+  auto expect = [](const std::string &message, const std::string &piece) {
+    EXPECT_NE(message.find(piece), std::string::npos) << "no '" << piece << "' in: " << message;
+  };
+  EXPECT_EQ(refusal("offset 1e-5 limit_damping yes"), "");
+  expect(refusal("offset 1e-5 offset 1e-5"), "offset is given twice: remove one of them");
+  expect(refusal("limit_damping no limit_damping no"), "limit_damping is given twice");
+  // a cutoff of metres would fill memory with ghost atoms
+  EXPECT_EQ(refusal("offset 2.9e-4"), "");
+  expect(refusal("offset 3.1e-4"), "offset 0.00031 is larger than the largest radius, 0.0003");
+  expect(refusal("offset 900"), "offset 900 is larger than the largest radius");
+  for (const std::string types : {"- *", "* -", "- -"})
+    expect(refusal("", types + " 1000 0.8 0.45"), "are no atom types or ranges of them");
+  start();
+  expect(error_of(box() +
+                  "\npair_style gran/lsd/coulomb offset 0.0051\npair_coeff * * 1000 0.8 0.45" +
+                  "\nrun 0"),
+         "offset 0.0051 is larger than half of the box, 0.005");
+}
+
+TEST_F(ContactTest, WordsOfTheWallThatAreRefused)
+{
+  auto refusal = [&](const std::string &words) {
+    start();
+    return error_of(box() + "\nfix floor all wall/gran/lsd/coulomb 1000 0.8 0.45 " + words);
+  };
+  auto expect = [](const std::string &message, const std::string &piece) {
+    EXPECT_NE(message.find(piece), std::string::npos) << "no '" << piece << "' in: " << message;
+  };
+  EXPECT_EQ(refusal("yplane 0 NULL offset 1e-5 limit_damping yes shear x 1"), "");
+  // LAMMPS itself refuses what is no number
+  for (const std::string value : {"nan", "inf", "1e400"})
+    for (const std::string words :
+         {"yplane ", "yplane 0 NULL shear x ", "yplane 0 NULL wiggle x 1 "})
+      expect(refusal(words + value + " NULL"), "loating point");
+  expect(refusal("yplane 0 NULL offset 1e-5 offset 2e-5"), "offset is given twice");
+}

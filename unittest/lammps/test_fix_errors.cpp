@@ -173,6 +173,16 @@ TEST_F(Refusals, PressureAndSpeedAtTheFaces)
   EXPECT_ERROR(stream("0.018"), "Ma = 0.312 of the lattice's sound speed, limit 0.3");
 }
 
+// half of the force of a step is in the velocity put out: 0.0173 m/s is the limit
+TEST_F(Refusals, DriveThatIsTooStrong)
+{
+  EXPECT_EQ(refusal("accel 34 0 0"), "");
+  EXPECT_IN(refusal("accel 35 0 0"),
+            "accel and gradp give the fluid a speed of 0.0175 within half a fluid step, Ma = 0.303");
+  EXPECT_IN(refusal("gradp 0 0 35000"), "Ma = 0.303 of the lattice's sound speed, limit 0.3");
+  EXPECT_IN(refusal("accel 0 1e308 0"), "limit 0.3: reduce them, or the fluid time step");
+}
+
 TEST_F(Refusals, Radii)
 {
   auto scene = [&](double r, const std::string &options) {

@@ -131,11 +131,11 @@ void same_on_every_brick(const Scene &scene)
       neighbours.max(&worst, 1);
       ASSERT_LT(worst, close) << where << " step " << t;
       double counts[] = {fluid->links(), fluid->gaps(), double(fluid->refilled().grad),
-                         double(fluid->refilled().equilibrium), double(fluid->refilled().rest)};
+                         double(fluid->refilled().equilibrium), double(fluid->refilled().deep)};
       neighbours.sum(counts, 5);
       const double expected[] = {
           one.fluid->links(), one.fluid->gaps(), double(one.fluid->refilled().grad),
-          double(one.fluid->refilled().equilibrium), double(one.fluid->refilled().rest)};
+          double(one.fluid->refilled().equilibrium), double(one.fluid->refilled().deep)};
       for (int k = 0; k < 5; k++) ASSERT_EQ(counts[k], expected[k]) << where << " step " << t;
     }
     Survey whole = fluid->survey();
