@@ -188,7 +188,8 @@ template <class Rule, bool moving> void link_pass(benchmark::State &state)
   const std::vector<float> drho(at.size);
   std::vector<Load> loads(cover.spheres().size());
   for (auto _ : state)
-    bounce_back<D3Q19, Rule, moving>(at, block.slots(), cover, links, drho.data(), loads);
+    bounce_back<D3Q19, Rule, moving ? Motion::TURN : Motion::REST, true>(at, block.slots(), cover,
+                                                                         links, drho.data(), loads);
   state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size()),
                                                benchmark::Counter::kIsIterationInvariantRate);
 }

@@ -38,12 +38,12 @@ namespace {
     }
   };
 
-  template <class L, class Rule, bool moving, int W>
+  template <class L, class Rule, Motion motion, bool ledger, int W>
   LBM_INLINE inline void bounce_back_pack(const Decoder &decode, const LinkSlots<L> &slot,
                                           const Sphere &sphere, const Vec3 &centre,
                                           const int (&e)[3], double weight, double refund,
                                           const int32_t *n, const double *fractions,
-                                          const float *drho, Sums<Pack<W>> &sums)
+                                          const float *drho, Sums<Pack<W>, ledger> &sums)
   {
     using V = Pack<W>;
     const V q = load<V>(fractions);
@@ -56,18 +56,18 @@ namespace {
     if constexpr (Rule::interpolated)
       back = back + c.c2 * convert<V>(gather<W>(slot.r2, n)) +
           c.c3 * convert<V>(gather<W>(slot.r3, n));
-    if constexpr (moving) {
-      const Wall<V> wall(sphere, e, arm);
+    [[maybe_unused]] V left = V{};    // by fluid at rest with the surface, see Load::swallowed
+    const Wall<motion, V> wall(sphere, e, arm);
+    if constexpr (motion != Motion::REST) {
       const V rho = 1.0 + convert<V>(gather<W>(drho, n));
       back = back - c.c4 * (3.0 * weight) * rho * wall.eu;
-      sums.swallowed = sums.swallowed + (out - back - (6.0 * weight) * rho * wall.eu);
-      back = back + refund;
-      exchange<moving>(sums, e, weight, out, back, arm, &wall);
-    } else {
-      sums.swallowed = sums.swallowed + (out - back);
-      back = back + refund;
-      exchange<moving>(sums, e, weight, out, back, arm, static_cast<Wall<V> *>(nullptr));
+      left = (6.0 * weight) * rho * wall.eu;
     }
+    if constexpr (ledger) {
+      sums.swallowed = sums.swallowed + (out - back - left);
+      back = back + refund;
+    }
+    exchange<motion>(sums, e, weight, out, back, arm, wall);
     scatter<W>(slot.w, n, back);
   }
 
@@ -84,8 +84,9 @@ namespace {
 
   // e.(u - u') of two walls in as much as they approach each other: along the mean of their
   // normals, which point along the arms
-  template <class V>
-  LBM_INLINE inline V approach(const Wall<V> (&wall)[2], const V (&arm)[2][3], const int (&e)[3])
+  template <Motion motion, class V>
+  LBM_INLINE inline V approach(const Wall<motion, V> (&wall)[2], const V (&arm)[2][3],
+                               const int (&e)[3])
   {
     V length[2], n[3], along = V{}, nn = V{}, en = V{};
     for (int k = 0; k < 2; k++)
@@ -103,10 +104,10 @@ namespace {
   //     f_o = A + c2 f_i,  f_i = B + c2' f_o,  each rule's x_f' being the other's wall
   // Walls that approach each other are taken half-way: they displace what they should, while the
   // rules would say what happens in a channel of width q + q' without ends, by 1/(q + q') more.
-  template <class L, class Rule, bool moving, int W>
+  template <class L, class Rule, Motion motion, bool ledger, int W>
   LBM_INLINE inline void close_gaps(const Layout &at, const Slots<L> &f, const Ends &ends, int i,
                                     const int32_t *n, const double *const (&fractions)[2],
-                                    const float *drho, Sums<Pack<W>> (&sums)[2])
+                                    const float *drho, Sums<Pack<W>, ledger> (&sums)[2])
   {
     using V = Pack<W>;
     const int o = opposite<L>(i);
@@ -128,10 +129,10 @@ namespace {
       c2[k] = c.c2;
       c4[k] = c.c4;
     }
-    const Wall<V> wall[2] = {{*ends.sphere[0], L::e[i], arm[0]},
-                             {*ends.sphere[1], L::e[o], arm[1]}};
+    const Wall<motion, V> wall[2] = {{*ends.sphere[0], L::e[i], arm[0]},
+                                     {*ends.sphere[1], L::e[o], arm[1]}};
     V squeezed = V{};
-    if constexpr (moving) {
+    if constexpr (motion != Motion::REST) {
       const V rho = 1.0 + convert<V>(gather<W>(drho, n));
       squeezed = (1.5 * L::w[i]) * rho * approach(wall, arm, L::e[i]);
       for (int k = 0; k < 2; k++) {
@@ -143,38 +144,40 @@ namespace {
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
-      sums[k].swallowed = sums[k].swallowed + (out[k] - back[k] - 2.0 * pushed[k]);
-      back[k] = back[k] + L::w[i] * ends.sphere[k]->refund;
-      exchange<moving>(sums[k], e, L::w[i], out[k], back[k], arm[k], &wall[k]);
+      if constexpr (ledger) {
+        sums[k].swallowed = sums[k].swallowed + (out[k] - back[k] - 2.0 * pushed[k]);
+        back[k] = back[k] + L::w[i] * ends.sphere[k]->refund;
+      }
+      exchange<motion>(sums[k], e, L::w[i], out[k], back[k], arm[k], wall[k]);
     }
     scatter<W>(f[o], n, back[0]);
     scatter<W>(f[i], n, back[1]);
   }
 
-  template <class L, class Rule, bool moving>
+  template <class L, class Rule, Motion motion, bool ledger>
   void close_group(const Layout &at, const Slots<L> &f, const Cover &cover, const Gaps &gaps,
                    const GapGroup &group, const float *drho, std::vector<Load> &loads)
   {
     constexpr int W = SIMD_WIDTH;
     const int i = group.direction;
     const Ends ends(cover, group);
-    Sums<Pack<W>> sums[2];
+    Sums<Pack<W>, ledger> sums[2];
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W)
-      close_gaps<L, Rule, moving, W>(at, f, ends, i, &gaps.node[k],
-                                     {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho, sums);
+      close_gaps<L, Rule, motion, ledger, W>(at, f, ends, i, &gaps.node[k],
+                                             {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho, sums);
     if (k < group.end) {
       const Tail<W> ahead(gaps.node, gaps.q_ahead, k, group.end),
           behind(gaps.node, gaps.q_behind, k, group.end);
-      Sums<Pack<W>> with_copies[2];
-      close_gaps<L, Rule, moving, W>(at, f, ends, i, ahead.node, {ahead.q, behind.q}, drho,
-                                     with_copies);
+      Sums<Pack<W>, ledger> with_copies[2];
+      close_gaps<L, Rule, motion, ledger, W>(at, f, ends, i, ahead.node, {ahead.q, behind.q}, drho,
+                                             with_copies);
       for (int side = 0; side < 2; side++)
         sums[side].add_first(with_copies[side], int(group.end - k));
     }
     for (int side = 0; side < 2; side++) {
       sums[side].links = double(group.end - group.begin);
-      add<moving>(sums[side], L::e[side == 0 ? i : opposite<L>(i)], L::w[i],
+      add<motion>(sums[side], L::e[side == 0 ? i : opposite<L>(i)], L::w[i],
                   loads[side == 0 ? group.ahead : group.behind]);
     }
   }
@@ -205,7 +208,7 @@ namespace {
 
 }    // namespace
 
-template <class L, class Rule, bool moving>
+template <class L, class Rule, Motion motion, bool ledger>
 void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
                  const float *drho, std::vector<Load> &loads)
 {
@@ -217,32 +220,38 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const Sphere &sphere = cover.spheres()[group.sphere];
     const Vec3 c = cover.centre(group.sphere);
     const double refund = L::w[i] * sphere.refund;
-    Sums<Pack<W>> sums;
+    Sums<Pack<W>, ledger> sums;
     const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to) LBM_INLINE {
-      bounce_back_pack<L, Rule, moving, W>(decode, slot, sphere, c, L::e[i], L::w[i], refund, nodes,
-                                           q, drho, to);
+      bounce_back_pack<L, Rule, motion, ledger, W>(decode, slot, sphere, c, L::e[i], L::w[i],
+                                                   refund, nodes, q, drho, to);
     };
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {
       const Tail<W> tail(links.node, links.q, k, group.end);
-      Sums<Pack<W>> with_copies;
+      Sums<Pack<W>, ledger> with_copies;
       bounce_pack(tail.node, tail.q, with_copies);
       sums.add_first(with_copies, int(group.end - k));
     }
     sums.links = double(group.end - group.begin);
-    add<moving>(sums, L::e[i], L::w[i], loads[group.sphere]);
+    add<motion>(sums, L::e[i], L::w[i], loads[group.sphere]);
   }
   for (const GapGroup &group : links.gaps.groups)
-    close_group<L, Rule, moving>(at, f, cover, links.gaps, group, drho, loads);
+    close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho, loads);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }
 
-#define LBM_INSTANTIATE_RULE(L, Rule)                                                           \
-  template void bounce_back<L, Rule, false>(const Layout &, const Slots<L> &, const Cover &,    \
-                                            const Links &, const float *, std::vector<Load> &); \
-  template void bounce_back<L, Rule, true>(const Layout &, const Slots<L> &, const Cover &,     \
-                                           const Links &, const float *, std::vector<Load> &);
+#define LBM_INSTANTIATE_ONE(L, Rule, motion, ledger)                                              \
+  template void bounce_back<L, Rule, motion, ledger>(const Layout &, const Slots<L> &,            \
+                                                     const Cover &, const Links &, const float *, \
+                                                     std::vector<Load> &);
+#define LBM_INSTANTIATE_MOTION(L, Rule, motion) \
+  LBM_INSTANTIATE_ONE(L, Rule, motion, false)   \
+  LBM_INSTANTIATE_ONE(L, Rule, motion, true)
+#define LBM_INSTANTIATE_RULE(L, Rule)            \
+  LBM_INSTANTIATE_MOTION(L, Rule, Motion::REST)  \
+  LBM_INSTANTIATE_MOTION(L, Rule, Motion::SHIFT) \
+  LBM_INSTANTIATE_MOTION(L, Rule, Motion::TURN)
 #define LBM_INSTANTIATE(L)         \
   LBM_INSTANTIATE_RULE(L, Halfway) \
   LBM_INSTANTIATE_RULE(L, Bouzidi) \
@@ -250,5 +259,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 #undef LBM_INSTANTIATE_RULE
+#undef LBM_INSTANTIATE_MOTION
+#undef LBM_INSTANTIATE_ONE
 
 }    // namespace lbm

@@ -21,8 +21,9 @@ namespace lbm {
 
 // Bounce back all links, after the sweep of step t and its halo exchange; f are the slots of step
 // t + 1. drho is the density excess by node where surfaces move, else null.
-// loads[s] is increased by what sphere s receives.
-template <class L, class Rule, bool moving>
+// loads[s] is increased by what sphere s receives. Without a ledger of mass nothing is refunded and
+// what links swallow is not summed.
+template <class L, class Rule, Motion motion, bool ledger>
 void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
                  const float *drho, std::vector<Load> &loads);
 

@@ -6,6 +6,18 @@
 
 namespace lbm {
 
+namespace {
+
+  template <class Real> void copy_row(const Real *from, int length, Real *to)
+  {
+    if (length == 1)    // faces along x: no call for a single number
+      *to = *from;
+    else
+      std::copy_n(from, length, to);
+  }
+
+}    // namespace
+
 template <class L> std::size_t Halo<L>::Box::nodes() const
 {
   return std::size_t(hi[0] - lo[0] + 1) * (hi[1] - lo[1] + 1) * (hi[2] - lo[2] + 1);
@@ -52,6 +64,7 @@ std::size_t Halo<L>::for_each_crossing(int d, int side, bool ghosts, F &&f) cons
 // values that cross the face on this side of the block; forwards they come from the neighbour there
 template <class L> void Halo<L>::along(const Block<L> &block, int d, int side, bool forwards)
 {
+  if (neighbours_.itself(d)) return to_itself(block, d, side, forwards);
   using Real = typename L::Real;
   auto copy = [&](Real *buffer, bool ghosts, bool pack) {
     return for_each_crossing(d, side, ghosts, [&](int k, const Box &box) {
@@ -60,11 +73,7 @@ template <class L> void Halo<L>::along(const Block<L> &block, int d, int side, b
       for (int z = box.lo[2]; z <= box.hi[2]; z++)
         for (int y = box.lo[1]; y <= box.hi[1]; y++, buffer += length) {
           Real *row = array + at_.index(box.lo[0], y, z);
-          Real *from = pack ? row : buffer, *to = pack ? buffer : row;
-          if (length == 1)    // faces along x: no call for a single number
-            *to = *from;
-          else
-            std::copy_n(from, length, to);
+          copy_row(pack ? row : buffer, length, pack ? buffer : row);
         }
     });
   };
@@ -73,6 +82,21 @@ template <class L> void Halo<L>::along(const Block<L> &block, int d, int side, b
   const int to = forwards ? 1 - side : side;
   neighbours_.shift(d, to, send_.data(), n, receive_.data(), n);
   if (neighbours_.exists(d, 1 - to)) copy(receive_.data(), forwards, false);
+}
+
+// the same where the block is its own neighbour: from layer to layer
+template <class L>
+void Halo<L>::to_itself(const Block<L> &block, int d, int side, bool forwards) const
+{
+  for_each_crossing(d, side, !forwards, [&](int k, const Box &from) {
+    const Box to = region(k, d, side, forwards);
+    auto *array = block.array(k);
+    const int length = from.hi[0] - from.lo[0] + 1;
+    for (int z = from.lo[2]; z <= from.hi[2]; z++)
+      for (int y = from.lo[1]; y <= from.hi[1]; y++)
+        copy_row(array + at_.index(from.lo[0], y, z), length,
+                 array + at_.index(to.lo[0], y - from.lo[1] + to.lo[1], z - from.lo[2] + to.lo[2]));
+  });
 }
 
 template <class L> void Halo<L>::exchange(const Block<L> &block)

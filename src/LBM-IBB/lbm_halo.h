@@ -38,6 +38,7 @@ template <class L> class Halo {
   Box region(int k, int d, int side, bool ghosts) const;
   template <class F> std::size_t for_each_crossing(int d, int side, bool ghosts, F &&f) const;
   void along(const Block<L> &block, int d, int side, bool forwards);
+  void to_itself(const Block<L> &block, int d, int side, bool forwards) const;
 };
 
 }    // namespace lbm

@@ -11,18 +11,21 @@
 namespace lbm {
 
 template <class L>
-LinkPass<L>::LinkPass(const Layout &layout, LinkRule rule, const Int3 &tile) :
-    at_(layout), rule_(rule), tiles_(layout, L::D, sizeof(typename L::Real) * double(L::Q), tile)
+LinkPass<L>::LinkPass(const Layout &layout, LinkRule rule, bool ledger, const Int3 &tile) :
+    at_(layout), rule_(rule), ledger_(ledger),
+    tiles_(layout, L::D, sizeof(typename L::Real) * double(L::Q), tile)
 {
 }
 
 template <class L>
-void LinkPass<L>::start(const Cover &cover, bool moved, const float *drho, std::vector<Load> &loads)
+void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const float *drho,
+                        std::vector<Load> &loads)
 {
   cover_ = &cover;
   drho_ = drho;
   loads_ = &loads;
   moved_ = moved;
+  motion_ = motion;
   if (moved_) kept_ = false;
   if (kept_) return;
   lists_.resize(moved_ ? 1 : tiles_.count() + 1);
@@ -118,10 +121,24 @@ template <class L>
 template <class Rule>
 void LinkPass<L>::bounce_with(const Links &links, const Slots<L> &f)
 {
-  if (drho_)
-    bounce_back<L, Rule, true>(at_, f, *cover_, links, drho_, *loads_);
+  switch (motion_) {
+    case Motion::REST:
+      return bounce_in<Rule, Motion::REST>(links, f);
+    case Motion::SHIFT:
+      return bounce_in<Rule, Motion::SHIFT>(links, f);
+    case Motion::TURN:
+      return bounce_in<Rule, Motion::TURN>(links, f);
+  }
+}
+
+template <class L>
+template <class Rule, Motion motion>
+void LinkPass<L>::bounce_in(const Links &links, const Slots<L> &f)
+{
+  if (ledger_)
+    bounce_back<L, Rule, motion, true>(at_, f, *cover_, links, drho_, *loads_);
   else
-    bounce_back<L, Rule, false>(at_, f, *cover_, links, nullptr, *loads_);
+    bounce_back<L, Rule, motion, false>(at_, f, *cover_, links, drho_, *loads_);
 }
 
 template <class L> void LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 &force) const

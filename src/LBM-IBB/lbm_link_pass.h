@@ -23,13 +23,15 @@ enum class LinkRule { HALFWAY, BOUZIDI, CLI };
 
 template <class L> class LinkPass {
  public:
-  // tile: its nodes along x, y, z; 0: chosen by the size of the cache
-  LinkPass(const Layout &layout, LinkRule rule, const Int3 &tile);
+  // ledger: of the mass that links swallow; tile: its nodes along x, y, z; 0: chosen by the size of
+  // the cache
+  LinkPass(const Layout &layout, LinkRule rule, bool ledger, const Int3 &tile);
 
-  // Before the sweep of a step. drho: density excess by node, filled by the sweep, if surfaces
-  // move, else null; all three have to live until the end of the step. loads[s] gets what sphere s
-  // receives.
-  void start(const Cover &cover, bool moved, const float *drho, std::vector<Load> &loads);
+  // Before the sweep of a step. moved: spheres are not where they were; motion: what they do now.
+  // drho: density excess by node, filled by the sweep, if surfaces move, else null; cover, drho and
+  // loads have to live until the end of the step. loads[s] gets what sphere s receives.
+  void start(const Cover &cover, bool moved, Motion motion, const float *drho,
+             std::vector<Load> &loads);
 
   const Tiles &tiles() const { return tiles_; }
   // after the sweep of tile k, which is in slots of the next step
@@ -51,12 +53,14 @@ template <class L> class LinkPass {
  private:
   Layout at_;
   LinkRule rule_;
+  bool ledger_;
   Tiles tiles_;
 
   const Cover *cover_ = nullptr;
   const float *drho_ = nullptr;
   std::vector<Load> *loads_ = nullptr;
   bool moved_ = false, kept_ = false;
+  Motion motion_ = Motion::REST;
   // of spheres that stay, by tile, the shell last; or one, of a moving sphere
   std::vector<Links> lists_;
   Links yielding_;    // of moving spheres that yield
@@ -70,6 +74,7 @@ template <class L> class LinkPass {
   void bounce_kept(std::size_t k, const Slots<L> &f);
   void bounce(const Links &links, const Slots<L> &f);
   template <class Rule> void bounce_with(const Links &links, const Slots<L> &f);
+  template <class Rule, Motion motion> void bounce_in(const Links &links, const Slots<L> &f);
   template <class F> void with_rule(F &&f) const;
   template <class F> void for_each_yielding(F &&f) const;
 };

@@ -10,10 +10,17 @@
 
 namespace lbm {
 
+// mass, if there is a ledger of it
+template <class V, bool ledger> struct Swallowed {
+  V swallowed = V{};
+};
+template <class V> struct Swallowed<V, false> {
+};
+
 // what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed
 // along e alone, and torque then holds the sum of arm times pressure
-template <class V> struct Sums {
-  V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{}, swallowed = V{};
+template <class V, bool ledger> struct Sums : Swallowed<V, ledger> {
+  V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{};
   double links = 0.0;
 
   // of the first n numbers of each pack
@@ -26,7 +33,7 @@ template <class V> struct Sums {
       torque[d] += keep * other.torque[d];
     }
     pressing += keep * other.pressing;
-    swallowed += keep * other.swallowed;
+    if constexpr (ledger) this->swallowed += keep * other.swallowed;
   }
 };
 
@@ -41,9 +48,10 @@ template <class V> double total(const V &v)
   return s;
 }
 
-template <bool moving, class V>
-void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
+template <Motion motion, class V, bool ledger>
+void add(const Sums<V, ledger> &sums, const int (&e)[3], double w, Load &load)
 {
+  constexpr bool moving = motion != Motion::REST;
   const double pressing = total(sums.pressing);
   Vec3 force, torque;
   for (int d = 0; d < 3; d++) {
@@ -52,7 +60,7 @@ void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
   }
   if (!moving) torque = cross(torque, {double(e[0]), double(e[1]), double(e[2])});
   load.pressing += pressing;
-  load.swallowed += total(sums.swallowed);
+  if constexpr (ledger) load.swallowed += total(sums.swallowed);
   load.area += 2.0 * w * sums.links;
   for (int d = 0; d < 3; d++) {
     load.force[d] += force[d];
@@ -60,31 +68,35 @@ void add(const Sums<V> &sums, const int (&e)[3], double w, Load &load)
   }
 }
 
-// velocity of a moving surface and what it does to a link
-template <class V> struct Wall {
+// velocity of a surface and what it does to a link
+template <Motion motion, class V> struct Wall {
   V u[3], eu, usq;
-  template <class T> LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const T (&arm)[3])
+  LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const V (&arm)[3])
   {
     for (int d = 0; d < 3; d++) {
       const int a = (d + 1) % 3, b = (d + 2) % 3;
-      u[d] = s.velocity[d] + (s.spin[a] * arm[b] - s.spin[b] * arm[a]);
+      u[d] = V{} + s.velocity[d];
+      if constexpr (motion == Motion::TURN) u[d] = u[d] + (s.spin[a] * arm[b] - s.spin[b] * arm[a]);
     }
     eu = double(e[0]) * u[0] + double(e[1]) * u[1] + double(e[2]) * u[2];
     usq = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
   }
 };
+template <class V> struct Wall<Motion::REST, V> {
+  LBM_INLINE Wall(const Sphere &, const int (&)[3], const V (&)[3]) {}
+};
 
 // momentum of a link given to its sphere; arm = x_w - c
-template <bool moving, class V>
-LBM_INLINE inline void exchange(Sums<V> &sums, const int (&e)[3], double w, const V &out,
-                                const V &back, const V (&arm)[3], const Wall<V> *wall)
+template <Motion motion, class V, bool ledger>
+LBM_INLINE inline void exchange(Sums<V, ledger> &sums, const int (&e)[3], double w, const V &out,
+                                const V &back, const V (&arm)[3], const Wall<motion, V> &wall)
 {
   V g = out + back;
-  if constexpr (moving) {
-    g = g - w * (9.0 * wall->eu * wall->eu - 3.0 * wall->usq);
-    const V h = out - back - 6.0 * w * wall->eu;
+  if constexpr (motion != Motion::REST) {
+    g = g - w * (9.0 * wall.eu * wall.eu - 3.0 * wall.usq);
+    const V h = out - back - 6.0 * w * wall.eu;
     V F[3];
-    for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall->u[d] * h;
+    for (int d = 0; d < 3; d++) F[d] = double(e[d]) * g - wall.u[d] * h;
     for (int d = 0; d < 3; d++) {
       const int a = (d + 1) % 3, b = (d + 2) % 3;
       sums.force[d] = sums.force[d] + F[d];

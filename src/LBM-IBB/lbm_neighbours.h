@@ -17,6 +17,9 @@ class Neighbours {
   // is there a block (maybe this one again) below (side 0) or above (side 1) along dimension d?
   virtual bool exists(int d, int side) const = 0;
 
+  // is this block its own neighbour on both sides along d?
+  virtual bool itself(int d) const = 0;
+
   // Send to the neighbour on this side, and receive from the one on the other side what it sends.
   // Where there is no neighbour nothing is sent or received. All blocks of a row call it together.
   // Numbers have 4 bytes or 8.
@@ -42,6 +45,7 @@ class Alone : public Neighbours {
  public:
   explicit Alone(const std::array<bool, 3> &periodic) : periodic_(periodic) {}
   bool exists(int d, int) const override { return periodic_[d]; }
+  bool itself(int d) const override { return periodic_[d]; }
   void sum(double *, int) override {}
   void max(double *, int) override {}
 

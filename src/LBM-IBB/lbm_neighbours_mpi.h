@@ -18,6 +18,7 @@ class MpiNeighbours : public Neighbours {
   // rank[d][side] is the neighbouring rank, MPI_PROC_NULL where the domain ends
   MpiNeighbours(MPI_Comm comm, const std::array<std::array<int, 2>, 3> &rank);
   bool exists(int d, int side) const override { return rank_[d][side] != MPI_PROC_NULL; }
+  bool itself(int d) const override { return rank_[d][0] == me_ && rank_[d][1] == me_; }
   void sum(double *values, int n) override;
   void max(double *values, int n) override;
 

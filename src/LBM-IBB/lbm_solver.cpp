@@ -12,13 +12,23 @@
 namespace lbm {
 namespace {
 
+  Motion most(const std::vector<Sphere> &spheres)
+  {
+    Motion most = Motion::REST;
+    for (const Sphere &s : spheres) {
+      if (s.spin != Vec3{}) return Motion::TURN;
+      if (s.velocity != Vec3{}) most = Motion::SHIFT;
+    }
+    return most;
+  }
+
   template <class L> class FluidOn : public Fluid {
    public:
     FluidOn(const Settings &settings, const Layout &at, const Int3 &global,
             Neighbours &neighbours) :
         settings(settings),
         at(at), lattice{global, {}}, block(at), halo(at, neighbours),
-        pass(at, settings.link, settings.tile), neighbours(neighbours),
+        pass(at, settings.link, settings.ledger, settings.tile), neighbours(neighbours),
         collide(settings.bgk ? Trt<L>::bgk(settings.tau)
                              : Trt<L>::trt(settings.tau, settings.magic))
     {
@@ -50,9 +60,7 @@ namespace {
         now->set_velocities(spheres);
       }
       refill_uncovered();
-      moving = std::any_of(spheres.begin(), spheres.end(), [](const Sphere &s) {
-        return s.velocity != Vec3{} || s.spin != Vec3{};
-      });
+      motion = most(spheres);
     }
 
     void advance(std::vector<Load> &loads) override
@@ -176,7 +184,8 @@ namespace {
 
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
-    bool moved = false, moving = false;
+    bool moved = false;
+    Motion motion = Motion::REST;
     std::vector<Response> responses_;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
     Counts counts;              // of links and gaps those of a step made elsewhere
@@ -202,11 +211,19 @@ namespace {
     template <class Force> void sweep_with(const Force &f, const Region &region)
     {
       if (!spheres_here())
-        sweep(block, collide, f, NoSolids{}, region);
-      else if (!moving)
-        sweep(block, collide, f, Solids{owner()}, region);
+        sweep_nodes(f, NoSolids{}, region);
+      else if (motion == Motion::REST)
+        sweep_nodes(f, Solids{owner()}, region);
       else
-        sweep(block, collide, f, MovingSolids{owner(), drho.data()}, region);
+        sweep_nodes(f, MovingSolids{owner(), drho.data()}, region);
+    }
+
+    // never inlined: the loop is then as good whatever is around it
+    template <class Force, class Solid>
+    __attribute__((noinline)) void sweep_nodes(const Force &f, const Solid &solid,
+                                               const Region &region)
+    {
+      sweep(block, collide, f, solid, region);
     }
 
     void collide_and_stream(const Region &region)
@@ -220,8 +237,9 @@ namespace {
     // the links of each tile while it is in the cache
     void collide_stream_and_bounce(std::vector<Load> &loads)
     {
+      const bool moving = motion != Motion::REST;
       if (moving) drho.resize(at.size);
-      pass.start(*now, moved, moving ? drho.data() : nullptr, loads);
+      pass.start(*now, moved, motion, moving ? drho.data() : nullptr, loads);
       for (std::size_t k = 0; k < pass.tiles().count(); k++) {
         collide_and_stream(pass.tiles().swept(k));
         pass.inner(k, block.slots(block.step() + 1));

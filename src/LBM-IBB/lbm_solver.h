@@ -30,8 +30,9 @@ struct Settings {
   double magic = 3.0 / 16.0;    // Lambda = (tau+ - 1/2)(tau- - 1/2)
   LinkRule link = LinkRule::CLI;
   RefillRule refill = RefillRule::GRAD;
-  Int3 tile{};    // nodes swept before their links; 0: by the size of the cache
-  Faces faces;    // of the whole box
+  bool ledger = true;    // of the mass that links swallow, to be given back; else none is
+  Int3 tile{};           // nodes swept before their links; 0: by the size of the cache
+  Faces faces;           // of the whole box
 };
 
 class Fluid {

@@ -32,6 +32,9 @@ struct Sphere {
   }
 };
 
+// what spheres do at most in a step: the link pass is made for each, so that none pays for another
+enum class Motion { REST, SHIFT, TURN };
+
 // Round a coordinate to 2^-32 of a cell. Adding whole periods to it is then exact: an image of a
 // grain, on whatever rank, meets the lattice bit for bit as the grain itself does.
 inline double snap(double x)

@@ -193,7 +193,7 @@ template <class L, class Rule> class Channel {
     halo.exchange(block);
     block.advance();
     loads.assign(2, {});
-    bounce_back<L, Rule, true>(at, block.slots(), cover, links, drho.data(), loads);
+    bounce_back<L, Rule, Motion::TURN, true>(at, block.slots(), cover, links, drho.data(), loads);
   }
 };
 

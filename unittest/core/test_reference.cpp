@@ -317,12 +317,29 @@ TEST_P(Equal, ToPlainSolverInSingle)
   compare(c);
 }
 
+// the link pass has variants for surfaces that do not turn, and for links without a ledger
+class EqualInVariants : public ::testing::TestWithParam<Case> {};
+
+TEST_P(EqualInVariants, ToPlainSolver)
+{
+  for (bool turning : {false, true})
+    for (bool ledger : {false, true}) {
+      if (turning && ledger) continue;    // is what the others do
+      Case c = GetParam();
+      c.settings.ledger = ledger;
+      if (!turning)
+        for (Sphere &s : c.spheres) s.spin = {};
+      compare(c);
+    }
+}
+
 std::string name_of(const ::testing::TestParamInfo<Case> &info)
 {
   return info.param.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Crowd, Equal, ::testing::ValuesIn(crowds()), name_of);
+INSTANTIATE_TEST_SUITE_P(Crowd, EqualInVariants, ::testing::ValuesIn(crowds()), name_of);
 INSTANTIATE_TEST_SUITE_P(Limit, Equal, ::testing::ValuesIn(limits()), name_of);
 INSTANTIATE_TEST_SUITE_P(Channel, Equal, ::testing::ValuesIn(channels()), name_of);
 

@@ -86,8 +86,9 @@ TEST(Messages, AreTheFacesAndNothingElse)
       cube.neighbours.bytes = cube.neighbours.messages = 0.0;
       cube.fluid->follow({});
       cube.fluid->advance(loads);
-      EXPECT_EQ(cube.neighbours.bytes, cube.ideal(single));
-      EXPECT_EQ(cube.neighbours.messages, 6.0);
+      const bool alone = cube.edge == 1;    // to itself a block sends nothing
+      EXPECT_EQ(cube.neighbours.bytes, alone ? 0.0 : cube.ideal(single));
+      EXPECT_EQ(cube.neighbours.messages, alone ? 0.0 : 6.0);
     }
     double nodes = double(cube.fluid->layout().nodes());
     EXPECT_EQ(nodes * std::pow(cube.edge, 3), std::pow(Cube::N, 3));
