@@ -59,6 +59,15 @@ class FixLbIbb : public Fix {
   void set_arrays(int) override;
   int pack_exchange(int, double *) override;
   int unpack_exchange(int, double *) override;
+
+  void write_restart(FILE *) override;
+  void write_restart_file(const char *) override;
+  void restart(char *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int maxsize_restart() override;
+  int size_restart(int) override;
+
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   int pack_reverse_comm_size(int, int) override;
@@ -96,11 +105,11 @@ class FixLbIbb : public Fix {
   void start_clock();
   double speed() const;    // million nodes a second
 
-  // columns of array_atom, which is for all to see, and of history: force and torque before the
-  // last fluid step, those of that step alone, where the grain was then, fluid steps it has seen,
-  // the mean density excess around it, the mass it will give back and that it swallowed, and what
-  // of its volume counts for others of its clump
-  enum { FORCE = 0, TORQUE = 3, SHOWN = 6 };
+  // columns of array_atom, which is for all to see, SHARE as in share_nodes(); and of history: force
+  // and torque before the last fluid step, those of that step alone, where the grain was then, fluid
+  // steps it has seen, the mean density excess around it, the mass it will give back and that it
+  // swallowed, and what of its volume counts for others of its clump
+  enum { FORCE = 0, TORQUE = 3, SHARE = 6, SHOWN = 7 };
   enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, REFUND = 17, SWALLOWED = 18 };
   enum { SHARED = 19 };
   static constexpr int COLUMNS = 20;
@@ -123,6 +132,8 @@ class FixLbIbb : public Fix {
 
   // set-up, in fix_lb_ibb_setup.cpp
   void check_scene();
+  void check_cut();
+  void check_averages();
   void check_offset();
   void check_order_of_fixes();
   // of two dimensions, in fix_lb_ibb_discs.cpp
@@ -157,6 +168,7 @@ class FixLbIbb : public Fix {
   void add_forces(double **held, const lbm::Vec3 &gravity);
   void place_grains();
   void give_forces();
+  void share_nodes();
   void check_grain(int i, const lbm::Sphere &s);
   void check_displacement(int i, const lbm::Sphere &s);
 
@@ -174,6 +186,13 @@ class FixLbIbb : public Fix {
   void correct_fluid();
   void keep_responses();
   bigint light_grains() const;
+
+  // restart files, in fix_lb_ibb_restart.cpp
+  struct Saved;                                       // what LAMMPS's own file holds of the fluid
+  std::shared_ptr<const Saved> to_write, to_go_on;    // until the fluid itself is written or read
+  bool was_saved;                                     // in the restart file that was read?
+  bool starts_anew;                                   // although it was
+  void read_fluid();
 
   // watching
   void take_survey();

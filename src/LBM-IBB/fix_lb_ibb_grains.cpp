@@ -166,6 +166,17 @@ void FixLbIbb::give_forces()
     past[AGE] += 1.0;
   }
   keep_responses();
+  share_nodes();
+}
+
+// The nodes of this rank, evenly over its grains: weights for the balance commands, which see grains
+// alone. Their sum over a rank is what its part of the lattice costs.
+void FixLbIbb::share_nodes()
+{
+  int grains = 0;
+  for (int i = 0; i < atom->nlocal; i++) grains += (atom->mask[i] & groupbit) != 0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) array_atom[i][SHARE] = double(fluid->layout().nodes()) / grains;
 }
 
 // ---------------------------------------------------------------------- per-atom data

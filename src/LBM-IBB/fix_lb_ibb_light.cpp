@@ -166,13 +166,17 @@ void FixLbIbb::correct_fluid()
   about = RESPONSES;
   comm->forward_comm(this, 6);
   about = LOADS;
-  if (fluid->responses().empty()) return;
+  const auto &last = fluid->spheres();
+  if (std::none_of(last.begin(), last.end(), [](const lbm::Sphere &s) {
+        return s.yields;
+      }))
+    return;
   std::unordered_map<std::int64_t, int> atom_of;
   for (int i = 0; i < nall; i++) atom_of[atom->tag[i]] = i;
-  std::vector<lbm::Gain> gains(spheres.size());
-  for (std::size_t s = 0; s < spheres.size(); s++) {
-    const auto found = atom_of.find(spheres[s].id);
-    if (found == atom_of.end() || !spheres[s].yields) continue;
+  std::vector<lbm::Gain> gains(last.size());
+  for (std::size_t s = 0; s < last.size(); s++) {
+    const auto found = atom_of.find(last[s].id);
+    if (found == atom_of.end() || !last[s].yields) continue;
     const auto &t = told[found->second];
     gains[s] = {{t[0], t[1], t[2]}, {t[3], t[4], t[5]}};
   }

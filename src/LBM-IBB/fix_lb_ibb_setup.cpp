@@ -49,10 +49,9 @@ void FixLbIbb::init()
   find_integrators();
   provide_light();
   find_variables();
-  if (!has_started())
-    create_fluid();
-  else
-    reset_dt();
+  if (has_started()) reset_dt();
+  if (!has_started() || !fluid) create_fluid();
+  read_fluid();
   provide_ghosts();
 }
 
@@ -62,8 +61,7 @@ void FixLbIbb::reset_dt()
   if (has_started() && units.dt != nevery * update->dt)
     error->all(FLERR,
                "Fix lb/ibb: the fluid has run with timestep {:.8g} and cannot go on with {:.8g}: "
-               "keep it, or "
-               "define the fix anew",
+               "keep it, or define the fix anew",
                units.dt / nevery, update->dt);
 }
 
@@ -75,8 +73,9 @@ void FixLbIbb::check_scene()
   if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
   if (domain->nonperiodic == 2)
     error->all(FLERR, "Fix lb/ibb does not support shrink-wrapped boxes: use boundary style f");
-  if (domain->box_change)
+  if (domain->box_change_size || domain->box_change_shape)
     error->all(FLERR, "Fix lb/ibb does not support a changing box: remove the fix that changes it");
+  if (domain->box_change_domain && comm->nprocs > 1) check_averages();
   for (int d = 0; d < domain->dimension; d++) {
     std::string why;
     if (lbm::cells(domain->prd[d], options.dx, "a side", why) != nodes[d])
@@ -86,8 +85,7 @@ void FixLbIbb::check_scene()
       if (domain->periodicity[d] != (options.face[d][side].kind == lbm::FaceKind::PERIODIC))
         error->all(FLERR, "Fix lb/ibb: the boundary command was used after the fix was defined");
   }
-  if (comm->style != Comm::BRICK || comm->layout == Comm::LAYOUT_TILED)
-    error->all(FLERR, "Fix lb/ibb needs comm_style brick");
+  check_cut();
   if (comm->mode != Comm::SINGLE) error->all(FLERR, "Fix lb/ibb needs comm_modify mode single");
   if (force->ftm2v != 1.0 || force->nktv2p != 1.0)
     error->all(FLERR,
@@ -191,9 +189,13 @@ void FixLbIbb::find_variables()
   }
 }
 
-void FixLbIbb::create_fluid()
+// every rank needs a brick of nodes, whose neighbours are bricks of the same width and height
+void FixLbIbb::check_cut()
 {
-  units.dt = nevery * update->dt;
+  if (comm->style != Comm::BRICK || comm->layout == Comm::LAYOUT_TILED)
+    error->all(FLERR,
+               "Fix lb/ibb needs comm_style brick: the fluid has one neighbour across every face; "
+               "balance with style shift, not rcb");
   const lbm::Int3 n = fields->n();
   int empty = n[0] < 1 || n[1] < 1 || n[2] < 1, any;
   MPI_Allreduce(&empty, &any, 1, MPI_INT, MPI_MAX, world);
@@ -203,7 +205,12 @@ void FixLbIbb::create_fluid()
                "needs at least one along every direction; see the processors command",
                comm->procgrid[0], comm->procgrid[1], comm->procgrid[2], nodes[0], nodes[1],
                nodes[2]);
+}
 
+void FixLbIbb::create_fluid()
+{
+  units.dt = nevery * update->dt;
+  const lbm::Int3 n = fields->n();
   std::array<std::array<int, 2>, 3> rank;
   lbm::Settings s;
   for (int d = 0; d < 3; d++)

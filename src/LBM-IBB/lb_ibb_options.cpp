@@ -122,13 +122,15 @@ void LBOptionsParser::keyword()
   } else if (name == "buoyancy") {
     o.buoyancy = drive(name);
     o.has_buoyancy = true;
+  } else if (name == "restart") {
+    o.restart = next("name of the restart file or none");
   } else if (name == "face") {
     face();
   } else {
     error->all(FLERR, iarg,
                "Fix lb/ibb: unknown keyword '{}'; known are every, collision, precision, link, "
                "refill, face, accel, gradp, buoyancy, shrink, average, conserve, "
-               "coupling, check",
+               "coupling, check, restart",
                name);
   }
 }

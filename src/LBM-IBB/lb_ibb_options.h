@@ -49,6 +49,8 @@ struct LBOptions {
   lbm::RefillRule refill = lbm::RefillRule::GRAD;
   LBFace face[3][2];
   LBVector accel, gradp, buoyancy;
+  std::string restart;    // name of a restart file, NONE, or nothing
+  static constexpr const char *NONE = "none";
 };
 
 class LBOptionsParser : protected Pointers {

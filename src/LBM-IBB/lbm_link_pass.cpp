@@ -156,6 +156,22 @@ template <class L> template <class F> void LinkPass<L>::for_each_yielding(F &&f)
   });
 }
 
+template <class L> void LinkPass<L>::recall(const Cover &cover)
+{
+  cover_ = &cover;
+  moved_ = true;
+  kept_ = false;
+  lists_.resize(1);
+  yielding_.clear();
+  for (std::size_t s = 0; s < cover.spheres().size(); s++) {
+    if (!cover.spheres()[s].yields) continue;
+    find_links<L>(at_, cover, s, at_.all(), lists_[0]);
+    yielding_.append(lists_[0]);
+    lists_[0].clear();
+  }
+  lists_[0].pockets.clear();
+}
+
 template <class L> void LinkPass<L>::add_responses(std::vector<Response> &responses) const
 {
   for_each_yielding([&](auto rule, const Links &links) {

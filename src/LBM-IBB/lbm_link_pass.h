@@ -41,7 +41,8 @@ template <class L> class LinkPass {
   // last of all, see fill_pockets()
   void fill_pockets(const Slots<L> &f, const Vec3 &force) const;
 
-  // of the links of the last step, see lbm_yield.h
+  // of the links of the last step, see lbm_yield.h; recall() finds those of a step made elsewhere
+  void recall(const Cover &cover);
   void add_responses(std::vector<Response> &responses) const;
   void correct(const Slots<L> &f, const std::vector<Gain> &gains) const;
 

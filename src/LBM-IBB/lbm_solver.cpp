@@ -27,12 +27,13 @@ namespace {
     FluidOn(const Settings &settings, const Layout &at, const Int3 &global,
             Neighbours &neighbours) :
         settings(settings),
-        at(at), block(at), halo(at, neighbours),
+        at(at), lattice{global, {}}, block(at), halo(at, neighbours),
         pass(at, settings.link, settings.ledger, settings.tile), neighbours(neighbours),
         collide(settings.bgk ? Trt<L>::bgk(settings.tau)
                              : Trt<L>::trt(settings.tau, settings.magic))
     {
       for (int d = 0; d < 3; d++) {
+        lattice.periodic[d] = d < L::D && settings.faces[d][0].kind == FaceKind::PERIODIC;
         at_end[d][0] = at.lo[d] == 0 && settings.faces[d][0].kind != FaceKind::PERIODIC;
         at_end[d][1] =
             at.lo[d] + at.n[d] == global[d] && settings.faces[d][1].kind != FaceKind::PERIODIC;
@@ -46,6 +47,8 @@ namespace {
         return;
       }
       provide(now);
+      // another order of a list that was taken over is no motion
+      if (block.step() == 0 && same_but_for_order(now->spheres(), spheres)) now->place(spheres);
       moved = !now->same_places(spheres);
       if (moved) {
         if (before || !now->spheres().empty()) {    // a scene at rest needs no former cover
@@ -78,7 +81,15 @@ namespace {
       find_responses();
     }
     const std::vector<Response> &responses() const override { return responses_; }
-    void correct(const std::vector<Gain> &gains) override { pass.correct(block.slots(), gains); }
+    const std::vector<Sphere> &spheres() const override
+    {
+      static const std::vector<Sphere> none;
+      return now ? now->spheres() : none;
+    }
+    void correct(const std::vector<Gain> &gains) override
+    {
+      if (spheres_here()) pass.correct(block.slots(), gains);
+    }
 
     void set_force(const Vec3 &f) override { force = f; }
     void set_face(int d, int side, const Vec3 &u, double drho) override
@@ -113,10 +124,46 @@ namespace {
       return lbm::planes<L>(at, block.slots(), owner(), force, axis, n);
     }
 
+    int directions() const override { return L::Q; }
+    int bytes_of_population() const override { return sizeof(typename L::Real); }
+    void give(const Part &part, void *to) const override
+    {
+      lbm::give<L>(at, block.slots(), part, static_cast<typename L::Real *>(to));
+    }
+    void take(const Part &part, const void *from) override
+    {
+      lbm::take<L>(at, block.slots(), part, static_cast<const typename L::Real *>(from));
+    }
+    std::uint64_t checksum() const override
+    {
+      return lbm::checksum<L>(at, block.slots(), lattice.n);
+    }
+    std::vector<Sphere> own_spheres() const override
+    {
+      return now ? centred_here(now->spheres(), at, lattice) : std::vector<Sphere>{};
+    }
+    void resume(const std::vector<Sphere> &grains, const Counts &so_far) override
+    {
+      counts = so_far;
+      const auto spheres = reaching_here(grains, at, lattice);
+      if (spheres.empty()) return;
+      provide(now);
+      now->place(spheres);
+      pass.recall(*now);
+    }
+
     const Layout &layout() const override { return at; }
-    double links() const override { return spheres_here() ? pass.links() : 0.0; }
-    double gaps() const override { return spheres_here() ? pass.gaps() : 0.0; }
-    const RefillCount &refilled() const override { return refill_count; }
+    double links() const override
+    {
+      if (block.step() == 0) return counts.links;
+      return spheres_here() ? pass.links() : 0.0;
+    }
+    double gaps() const override
+    {
+      if (block.step() == 0) return counts.gaps;
+      return spheres_here() ? pass.gaps() : 0.0;
+    }
+    const RefillCount &refilled() const override { return counts.refilled; }
     double bytes() const override
     {
       return block.bytes() + (now ? now->bytes() : 0.0) + (before ? before->bytes() : 0.0) +
@@ -126,6 +173,7 @@ namespace {
    private:
     Settings settings;
     Layout at;
+    Lattice lattice;
     Block<L> block;
     Halo<L> halo;
     LinkPass<L> pass;
@@ -140,7 +188,7 @@ namespace {
     Motion motion = Motion::REST;
     std::vector<Response> responses_;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
-    RefillCount refill_count;
+    Counts counts;              // of links and gaps those of a step made elsewhere
 
     void provide(std::unique_ptr<Cover> &cover) const
     {
@@ -231,10 +279,10 @@ namespace {
       provide(before);
       if (settings.refill == RefillRule::GRAD)
         refill_grad<L>(at, block.slots(), *before, *now, nodes, settings.tau, force, neighbours,
-                       refill_count);
+                       counts.refilled);
       else
         refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(), force,
-                              refill_count);
+                              counts.refilled);
     }
 
     // of the whole system, over the nodes that were fluid in the last step

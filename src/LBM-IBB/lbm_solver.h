@@ -16,6 +16,7 @@
 #include "lbm_neighbours.h"
 #include "lbm_profile.h"
 #include "lbm_refill.h"
+#include "lbm_state.h"
 
 #include <memory>
 
@@ -49,7 +50,8 @@ class Fluid {
   virtual void advance(std::vector<Load> &loads) = 0;
   // of the spheres of the last follow() if any of them yields, else empty; to be summed as loads
   virtual const std::vector<Response> &responses() const = 0;
-  // Before the next follow(): by how much they were faster than handed in, by sphere.
+  virtual const std::vector<Sphere> &spheres() const = 0;    // of the last follow() or resume()
+  // Before the next follow(): by how much they were faster than handed in, by sphere of the last.
   virtual void correct(const std::vector<Gain> &gains) = 0;
 
   // force density on the fluid, and values at the faces, from the next step on
@@ -65,6 +67,17 @@ class Fluid {
   virtual Survey survey() const = 0;    // of this rank, see reduce()
   // of this rank, by the n planes of the whole lattice across an axis, see reduce()
   virtual Planes planes(int axis, int n) const = 0;
+
+  // State in the form of lbm_state.h, for restarts and new cuts of the lattice. A fluid that is to
+  // go on from it has made no step yet, and follows spheres only afterwards.
+  virtual int directions() const = 0;    // populations of a node
+  virtual int bytes_of_population() const = 0;
+  virtual void give(const Part &part, void *to) const = 0;    // of this rank's nodes
+  virtual void take(const Part &part, const void *from) = 0;
+  virtual std::uint64_t checksum() const = 0;    // of this rank's nodes
+  virtual std::vector<Sphere> own_spheres() const = 0;
+  // every grain of the last step, and what this rank had counted
+  virtual void resume(const std::vector<Sphere> &grains, const Counts &counts) = 0;
 
   virtual const Layout &layout() const = 0;
   virtual double links() const = 0;    // of this rank in the last step, gaps included

@@ -4,6 +4,8 @@
 
 #include "lbm_bounce_back.h"
 
+#include <algorithm>
+
 namespace lbm {
 namespace {
 
@@ -14,13 +16,16 @@ namespace {
       if (cover.spheres()[group.sphere].yields) f(group);
   }
 
-  // a, and arm x e, of one link or a pack of them
-  template <class L, class Rule, class V> struct Reach {
+  constexpr int W = SIMD_WIDTH;
+  using V = Pack<W>;
+
+  // a, and arm x e, of a pack of links
+  struct Reach {
     V a, turn[3];
-    LBM_INLINE Reach(const Decoder &decode, const Vec3 &centre, const int (&e)[3], double w,
+    template <class Rule>
+    LBM_INLINE Reach(Rule, const Decoder &decode, const Vec3 &centre, const int (&e)[3], double w,
                      const int32_t *node, const double *fraction)
     {
-      constexpr int W = sizeof(V) / sizeof(double);
       const V q = load<V>(fraction);
       V arm[3];
       decode(load<PackInt<W>>(node), arm);
@@ -33,23 +38,27 @@ namespace {
     }
   };
 
-  // whole packs, then one by one
-  template <class F> void in_packs(const LinkGroup &group, F &&f)
+  // Calls f(nodes, fractions, n) for packs of links, of which the last may have n < W and copies of
+  // the last link: whatever the packs, the arithmetic of a link is the same.
+  template <class F> void in_packs(const Links &links, const LinkGroup &group, F &&f)
   {
-    constexpr int W = SIMD_WIDTH;
     std::size_t k = group.begin;
-    for (; k + W <= group.end; k += W) f(k, std::integral_constant<int, W>{});
-    for (; k < group.end; k++) f(k, std::integral_constant<int, 1>{});
+    for (; k + W <= group.end; k += W) f(&links.node[k], &links.q[k], W);
+    if (k == group.end) return;
+    int32_t node[W];
+    double q[W];
+    for (int l = 0; l < W; l++) {
+      const std::size_t from = std::min<std::size_t>(k + l, group.end - 1);
+      node[l] = links.node[from];
+      q[l] = links.q[from];
+    }
+    f(node, q, int(group.end - k));
   }
 
-  double sum(double v)
-  {
-    return v;
-  }
-  template <class V> double sum(const V &v)
+  double sum(const V &v, int n)
   {
     double s = 0.0;
-    for (unsigned k = 0; k < sizeof(V) / sizeof(double); k++) s += v[k];
+    for (int k = 0; k < n; k++) s += v[k];
     return s;
   }
 
@@ -65,16 +74,16 @@ void add_responses(const Layout &at, const Cover &cover, const Links &links,
     const int(&e)[3] = L::e[group.direction];
     const Vec3 centre = cover.centre(group.sphere);
     double a = 0.0, b = 0.0, turn[3] = {0, 0, 0}, b_turn[3] = {0, 0, 0}, square[6] = {0};
-    in_packs(group, [&](std::size_t k, auto width) {
-      const Reach<L, Rule, Pack<width>> reach(decode, centre, e, L::w[group.direction],
-                                              &links.node[k], &links.q[k]);
-      const auto stays = reach.a - 6.0 * L::w[group.direction];
-      a += sum(reach.a);
-      b += sum(stays);
+    in_packs(links, group, [&](const int32_t *node, const double *q, int count) {
+      const Reach reach(Rule{}, decode, centre, e, L::w[group.direction], node, q);
+      const V stays = reach.a - 6.0 * L::w[group.direction];
+      a += sum(reach.a, count);
+      b += sum(stays, count);
       for (int d = 0, n = 0; d < 3; d++) {
-        turn[d] += sum(reach.a * reach.turn[d]);
-        b_turn[d] += sum(stays * reach.turn[d]);
-        for (int c = 0; c <= d; c++) square[n++] += sum(reach.a * reach.turn[d] * reach.turn[c]);
+        turn[d] += sum(reach.a * reach.turn[d], count);
+        b_turn[d] += sum(stays * reach.turn[d], count);
+        for (int c = 0; c <= d; c++)
+          square[n++] += sum(reach.a * reach.turn[d] * reach.turn[c], count);
       }
     });
     Response &r = responses[group.sphere];
@@ -102,19 +111,13 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
     const Gain &gain = gains[group.sphere];
     const Vec3 centre = cover.centre(group.sphere);
     typename L::Real *back = f[opposite<L>(i)];
-    in_packs(group, [&](std::size_t k, auto width) {
-      using V = Pack<width>;
-      const Reach<L, Rule, V> reach(decode, centre, L::e[i], L::w[i], &links.node[k], &links.q[k]);
+    in_packs(links, group, [&](const int32_t *node, const double *q, int count) {
+      const Reach reach(Rule{}, decode, centre, L::e[i], L::w[i], node, q);
       V du = V{};
       for (int d = 0; d < 3; d++)
         du = du + L::e[i][d] * gain.velocity[d] + reach.turn[d] * gain.spin[d];
       const V less = reach.a * du;
-      for (int l = 0; l < width; l++) {
-        if constexpr (width == 1)
-          back[links.node[k]] -= less;
-        else
-          back[links.node[k + l]] -= less[l];
-      }
+      for (int l = 0; l < count; l++) back[node[l]] -= less[l];
     });
   });
 }

@@ -141,6 +141,14 @@ class Box {
     advance();
   }
 
+  // what grains of another box remember of its fluid
+  void remember(const Box &other)
+  {
+    drho = other.drho;
+    refund = other.refund;
+    swallowed = other.swallowed;
+  }
+
   lbm::Moments at(int x, int y, int z) const { return fluid->moments(x, y, z); }
   template <class F> void for_each_node(F &&f) const
   {
