@@ -97,7 +97,7 @@ class Store:
 
     def raw(self, case):
         script = (SCENES / case.script).read_text()
-        key = hashlib.sha256("\0".join([self.lmp, script, case.command(), str(case.limit)]).encode()).hexdigest()
+        key = hashlib.sha256("\0".join([self.lmp, script, *words(case), str(case.limit)]).encode()).hexdigest()
         with self.lock:
             if key in self.done:
                 return self.done[key]
@@ -120,15 +120,17 @@ class Store:
         return Result(kind, why, run["seconds"], numbers(run["text"]))
 
 
+def words(case):
+    options = [w for name, value in case.variables.items() for w in ("-var", name, str(value))]
+    start = ["mpirun", "-np", str(case.ranks)] if case.ranks > 1 else []
+    return [*start, lmp, "-in", str(SCENES / case.script), "-log", "none", "-nocite", *options]
+
+
 def launch(case):
-    words = [w for name, value in case.variables.items() for w in ("-var", name, str(value))]
-    command = [lmp, "-in", str(SCENES / case.script), "-log", "none", "-nocite", *words]
-    if case.ranks > 1:
-        command = ["mpirun", "-np", str(case.ranks), *command]
     begin, rc = time.time(), None
     with tempfile.TemporaryDirectory() as folder:
         try:
-            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=case.limit,
+            done = subprocess.run(words(case), cwd=folder, capture_output=True, text=True, timeout=case.limit,
                                   errors="replace", stdin=subprocess.DEVNULL)
             rc, text = done.returncode, done.stdout + done.stderr
         except subprocess.TimeoutExpired as late:

@@ -41,7 +41,7 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), fluid_steps(0), first_step(-1), last_step(-1), history(nullptr),
     ghosted(nullptr), nghosted(0), survey_step(-1), fastest{}, warned_of_masses(false),
     atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr), moving_bits(0), held_bits(0),
-    about(LOADS)
+    about(LOADS), trouble{}, warned_of_speed(false)
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)
@@ -102,6 +102,7 @@ int FixLbIbb::setmask()
 void FixLbIbb::setup(int)
 {
   review_setup();
+  warned_of_speed = false;
   survey_step = -1;    // forces may have changed, and the velocity has half of one in it
   start_clock();
   // The velocities are to be integrated with the forces that were there when the last run ended:
@@ -165,6 +166,7 @@ void FixLbIbb::end_of_step()
   clock.fluid += advanced - placed;
   clock.grains += placed - start + platform::walltime() - advanced;
   survey_step = -1;
+  stop_for_trouble();
   const bool output_follows = output->next < update->ntimestep + nevery;
   if (fluid_steps % options.check == 0 || output_follows) take_survey();
 }
