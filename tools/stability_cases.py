@@ -71,8 +71,8 @@ def check_contact(v, files, run):
     e, n, every = run.get("e", 0.9), run["contact"], run["every"]
     dry = run["rho"] < 0.1
     found = impact(files.get("impact.dat", ""), r)
-    if found is None:
-        return "the grains do not part after one contact"
+    if found is None:    # water may bring them to rest in a contact that lasts many fluid steps
+        return "the grains do not part after one contact" if dry or n / every < 10 else ""
     restitution, steps, overlap = found[0] / speed, found[1], found[2]
     # linear spring and dashpot: overlap at the first rest, v/w exp(-beta/w' atan(w'/beta))
     decay = -math.log(e)
@@ -89,7 +89,7 @@ def check_contact(v, files, run):
     pressed = lambda d: max(2 * r - d, d - (16 - 2 * r), 0)
     before, after = (v[ke] + 0.5 * v["k"] * pressed(v[d])**2 for ke, d in (("ke_before", "start"), ("ke", "distance")))
     if wrong or not dry:
-        return wrong or ("energy grows" if after > before else "")
+        return wrong or ("energy grows" if after > before + 0.01 * M * 0.02**2 else "")    # some comes back
     # impact after impact: a whole number of them; without loss none
     if e == 1.0:
         drift = after / before - 1
@@ -129,10 +129,10 @@ def check_free(v, files, run):
 def free(quick):
     ratios = [0.01, 1.001, 100] if quick else [0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 0.999, 1.001, 2, 10, 100]
     radii = [2.0, 5.0] if quick else [2.0, 2.5, 3.3, 5.0, 7.0, 10.0]
-    means = ["yes"] if quick else ["yes", "no"]
     limit = 600 if quick else 2000
-    return [Case("free", "in.free", {"ratio": ratio, "r": r, "average": mean, "limit": limit}, check_free)
-            for mean, r, ratio in itertools.product(means, radii, ratios) if mean == "yes" or r < 6]
+    return [Case("free", "in.free", {"ratio": ratio, "r": r, "coupling": coupling, "limit": limit}, check_free)
+            for coupling, r, ratio in itertools.product(["auto", "explicit"], radii, ratios)
+            if coupling == "auto" or r < 6]
 
 
 # ---- pressure steps: size x tau x sudden or slow

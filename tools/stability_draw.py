@@ -10,7 +10,7 @@ COLOUR = {"stable": "#3a923a", "warned": "#b5cf6b", "refused": "#9ecae1", "stopp
 AXES = {"flow": (("tau", r"$\tau$"), ("Ma", "Ma of the water that enters"), ("collision",)),
         "contact": (("every", "granular steps per fluid step (k_n grows with its square)"),
                     ("contact", "time steps per contact"), ("rho", "e")),
-        "free": (("ratio", r"$\rho_s/\rho$"), ("r", r"$r/\Delta x$"), ("average",)),
+        "free": (("ratio", r"$\rho_s/\rho$"), ("r", r"$r/\Delta x$"), ("coupling",)),
         "column": (("tau", r"$\tau$"), ("excess", r"$\Delta p/\rho c_s^2$"), ("ramp",)),
         "pair": (("gap", r"gap$/\Delta x$"), ("mode", ""), ()),
         "dense": (("phi", "solid fraction"), ("cells", "cells per period"), ()),

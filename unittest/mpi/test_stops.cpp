@@ -154,6 +154,15 @@ TEST_F(StopsOnRanks, SpinsTooFast)
   EXPECT_IN(message, "Likely cause: it spins too fast");
 }
 
+// as a grain of a hundredth of the density of water would be, were it not for coupling auto
+TEST_F(StopsOnRanks, LightGrainCoupledExplicitly)
+{
+  const std::string message =
+      stops(still() + "\nset atom 1 density 10", fluid("coupling explicit accel 1e-2 0 0") +
+                "\nfix m all nve/sphere" + run(50));
+  EXPECT_IN(message, "density 0.01 rho; tau = 0.8000. Likely cause: the grain is too light to be coupled");
+}
+
 // two grains deep in each other, a hundred granular steps to a fluid step
 TEST_F(StopsOnRanks, ThrownByAContact)
 {
