@@ -1,10 +1,14 @@
 """Maps of ./run stability, one for each sweep, and the tables of its page."""
-import matplotlib
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt    # noqa: E402
-from matplotlib.patches import Patch    # noqa: E402
+try:
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    from matplotlib.patches import Patch
+except ImportError:
+    plt = None
 
-KINDS = ["stable", "warned", "refused", "stopped", "FAULT"]
+from stability_run import KINDS
+
 COLOUR = {"stable": "#3a923a", "warned": "#b5cf6b", "refused": "#9ecae1", "stopped": "#fd8d3c", "FAULT": "#d62728"}
 # of each sweep: along the map, up the map, one map for each value of
 AXES = {"flow": (("tau", r"$\tau$"), ("Ma", "Ma of the water that enters"), ("collision",)),
@@ -67,6 +71,6 @@ def table(results):
 def draw(results, folder):
     for group in AXES:
         part = [(c, r) for c, r in results if c.group == group]
-        if part:
+        if part and plt:
             sweep(group, part, folder)
     (folder / "rows.md").write_text(table(results) + "\n")

@@ -9,7 +9,7 @@ FAULT     anything else: a number that is none, a hang, a crash, somebody else's
 import dataclasses
 import hashlib
 import json
-import os
+import math
 import pathlib
 import re
 import subprocess
@@ -17,9 +17,10 @@ import tempfile
 import threading
 import time
 
-root = pathlib.Path(__file__).resolve().parent.parent
-lmp = os.environ["LMP"]
+from benchlib import lmp, root
+
 SCENES = root / "examples" / "extreme"
+KINDS = ["stable", "warned", "refused", "stopped", "FAULT"]
 OURS = re.compile(r"lb/ibb|gran/lsd/coulomb")
 NOT_A_NUMBER = re.compile(r"(?<![\w.])[-+]?(nan|inf)(?![\w])", re.I)
 
@@ -75,6 +76,15 @@ def nan_in(text):
         if NOT_A_NUMBER.search(line) and not re.search(r"ERROR|WARNING|Fix lb/ibb|variable |^Last", line):
             return line.strip()
     return ""
+
+
+def last_dump(files):
+    """last step that a dump of every step holds as a whole, if there is one"""
+    if "atoms.dump" not in files:
+        return math.inf
+    steps = re.findall(r"^ITEM: TIMESTEP\n(\d+)\n.*\n(\d+)\n(?:.*\n){4}ITEM: ATOMS.*\n((?:\d.*\n)*)", files["atoms.dump"],
+                       re.M)
+    return max((int(step) for step, atoms, lines in steps if lines.count("\n") == int(atoms)), default=-1)
 
 
 def steps_done(text):
@@ -139,6 +149,11 @@ def launch(case):
     return {"rc": rc, "text": text, "files": files, "seconds": time.time() - begin}
 
 
+def plain(message):
+    """without where in the source it comes from"""
+    return re.sub(r"^ERROR:? ?(on proc \d+)?:? *| \([^ ()]+:\d+\)$", "", message)
+
+
 def outcome(case, run):
     """kind and reason, whatever was wanted"""
     rc, text = run["rc"], run["text"]
@@ -153,7 +168,10 @@ def outcome(case, run):
             return "FAULT", f"crash, exit status {rc}: {text[-200:]}"
         if not OURS.search(error[0]):
             return "FAULT", "stopped by a message that is not the package's: " + error[0]
-        reason = re.sub(r" \(/?src.*\)$| \(\S+:\d+\)$", "", error[0])
+        stop = re.search(r"stopped at step (\d+)", error[0])
+        if stop and last_dump(run["files"]) < int(stop.group(1)) - 1:
+            return "FAULT", f"dump ends at step {last_dump(run['files'])}, before: {error[0]}"
+        reason = plain(error[0])
         return ("stopped" if "stopped at step" in reason or steps_done(text) else "refused"), reason
     if error:
         return "FAULT", "exit status 0 with " + error[0]
@@ -164,7 +182,7 @@ def outcome(case, run):
     if not wrong:
         return "stable", ""
     warnings = [w for w in re.findall(r"^WARNING: (.*)", text, re.M) if OURS.search(w)]
-    return ("warned", f"{wrong}; {warnings[0]}") if warnings else ("FAULT", "wrong and silent: " + wrong)
+    return ("warned", f"{wrong}; {plain(warnings[0])}") if warnings else ("FAULT", "wrong and silent: " + wrong)
 
 
 def judge(case, run):
@@ -176,7 +194,7 @@ def judge(case, run):
         if kind in ("refused", "stopped"):
             return "FAULT", f"wanted a warning, not: {why}"
         warning = [w for w in re.findall(r"^WARNING: (.*)", run["text"], re.M) if piece in w]
-        return (kind, warning[0]) if warning else ("FAULT", f"no warning with '{piece}'")
+        return (kind, "warning: " + plain(warning[0])) if warning else ("FAULT", f"no warning with '{piece}'")
     if kind != wanted and not (wanted == "stable" and kind == "warned"):
         return "FAULT", f"wanted {case.want}, found {kind} {why}"
     return (kind, why) if piece in why else ("FAULT", f"no '{piece}' in: {why}")

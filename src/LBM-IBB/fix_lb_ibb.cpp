@@ -46,7 +46,7 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)
     error->all(FLERR, "Fix lb/ibb: the simulation box must be defined before the fix");
-  if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
+  check_box();
   options = LBOptionsParser(lmp, narg, arg).parse();
 
   nevery = options.every;

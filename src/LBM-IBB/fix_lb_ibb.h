@@ -120,6 +120,7 @@ class FixLbIbb : public Fix {
   } fastest;
 
   // set-up, in fix_lb_ibb_setup.cpp
+  void check_box();
   void check_scene();
   void check_offset();
   void check_order_of_fixes();
