@@ -172,11 +172,13 @@ class FixLbIbb : public Fix {
   void take_survey();
   lbm::Vec3 total_force();
 
-  // the tripwire, in fix_lb_ibb_tripwire.cpp
+  // what no run may go on with: grains in fix_lb_ibb_inspect.cpp, fluid in fix_lb_ibb_tripwire.cpp
+  static const char TOO_LIGHT[];    // a likely cause
   // gravest thing a rank has found wrong with one of its grains in this fluid step; lattice units
   struct Trouble {
     enum Kind { NONE, SMALL, FAST, MOVED, NO_NUMBER };
-    double kind, value, id, radius, density, speed, loose;    // loose: light, but not coupled as such
+    double kind, value, id, radius, density, speed,
+        loose;          // loose: light, but not coupled as such
     lbm::Vec3 place;    // physical
   } trouble;
   void inspect_grain(int i, double *place_and_motion);
@@ -192,8 +194,7 @@ class FixLbIbb : public Fix {
   lbm::Vec3 place_of(const lbm::Int3 &node) const;
   bool near_open_face(const lbm::Int3 &node) const;
   std::string likely_cause(const lbm::Int3 &node, const Neighbour &grain);
-  [[noreturn]] void stop(const lbm::Int3 &node, const std::string &what, double drho,
-                         double speed);
+  [[noreturn]] void stop(const lbm::Int3 &node, const std::string &what, double drho, double speed);
 };
 
 }    // namespace LAMMPS_NS

@@ -9,7 +9,7 @@
    See the README file in the top-level LAMMPS directory.
 ------------------------------------------------------------------------- */
 
-// The tripwire of fix lb/ibb: what no run may go on with, found before anything of it is written. All
+// The tripwire of fix lb/ibb: a fluid that no run may go on with, found before it is shown to anybody. All
 // ranks stop together with one message: place, time, nearest grain, numbers, likely cause, what to try.
 
 #include "fix_lb_ibb.h"
@@ -30,137 +30,7 @@ using namespace LAMMPS_NS;
 using lbm::Int3;
 using lbm::Vec3;
 
-static const double SPEED_LIMIT = lbm::MACH_LIMIT / std::sqrt(3.0);    // lattice units
-static const double SPEED_WARN = lbm::MACH_WARN / std::sqrt(3.0);
 static constexpr double NOWHERE = 1e300;
-
-static const char LOOSE[] =
-    "the grain is too light to be coupled explicitly; use coupling auto and a fix that integrates "
-    "each grain by its force and torque";
-
-static double mach(double speed)
-{
-  return speed * std::sqrt(3.0);
-}
-
-// ---------------------------------------------------------------------- grains, every fluid step
-
-// What is wrong stops the run when the step is done, on all ranks together. Until then the grain
-// stays at rest where it was, so that the fluid gets numbers.
-void FixLbIbb::inspect_grain(int i, double *g)
-{
-  double *past = history[i];
-  const bool known = past[AGE] > 0.0;
-  const double radius = hydrodynamic_radius(i) / units.dx;
-  Vec3 step{};
-  for (int d = 0; d < domain->dimension && known; d++) {
-    step[d] = g[d] - past[PLACE + d];
-    if (domain->periodicity[d]) step[d] -= nodes[d] * std::nearbyint(step[d] / nodes[d]);
-  }
-  const double moved = std::sqrt(lbm::dot(step, step));
-  const Vec3 v{g[3], g[4], g[5]}, spin{g[6], g[7], g[8]};
-  const double surface = std::sqrt(lbm::dot(v, v)) + radius * std::sqrt(lbm::dot(spin, spin));
-
-  Trouble::Kind wrong = Trouble::NONE;
-  double value = 0.0;
-  if (!std::isfinite(moved) || !std::isfinite(surface)) {
-    wrong = Trouble::NO_NUMBER;
-  } else if (moved > 1.0) {
-    wrong = Trouble::MOVED;
-    value = moved;
-  } else if (surface > SPEED_LIMIT) {
-    wrong = Trouble::FAST;
-    value = surface;
-  } else if (!known && !(radius >= lbm::RADIUS_LIMIT)) {
-    wrong = Trouble::SMALL;
-  }
-  if (wrong != Trouble::NONE) {
-    note(wrong, i, value);
-    for (int d = 0; d < 3; d++)
-      g[d] = known ? past[PLACE + d] : std::isfinite(g[d]) ? g[d] : 0.0;
-    std::fill_n(g + 3, 6, 0.0);
-  } else if (surface > fastest.speed)
-    fastest = {surface, double(atom->tag[i]), {g[0], g[1], g[2]}};
-  std::copy_n(g, 3, past + PLACE);
-}
-
-// held for as long as the fluid stands still: no thermo, dump or print may see what comes of it
-void FixLbIbb::inspect_force(int i, const double *force)
-{
-  for (int k = 0; k < 6; k++)
-    if (!std::isfinite(force[k])) {
-      note(Trouble::NO_NUMBER, i, 0.0);
-      return;
-    }
-}
-
-// keeps the gravest; of equals the largest value, then the lowest ID
-void FixLbIbb::note(Trouble::Kind kind, int i, double value)
-{
-  const double id = atom->tag[i];
-  if (kind < trouble.kind || (kind == trouble.kind && value < trouble.value) ||
-      (kind == trouble.kind && value == trouble.value && id > trouble.id))
-    return;
-  const double mass = options.rho * units.grain_volume(hydrodynamic_radius(i));
-  const Vec3 v{atom->v[i][0], atom->v[i][1], atom->v[i][2]};
-  trouble = {double(kind),
-             value,
-             id,
-             hydrodynamic_radius(i) / units.dx,
-             atom->rmass[i] / mass,
-             std::sqrt(lbm::dot(v, v)) / units.velocity(),
-             below_limit(i) && !is_light(i) ? 1.0 : 0.0,
-             {atom->x[i][0], atom->x[i][1], atom->x[i][2]}};
-}
-
-// collective
-void FixLbIbb::stop_for_trouble()
-{
-  if (atom->natoms == 0 || !atom->radius_flag) return;
-  struct {
-    double gravity;
-    int rank;
-  } worst{trouble.kind + 0.5 * trouble.value / (1.0 + trouble.value), comm->me};
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, world);
-  if (worst.gravity <= 0.0) return;
-  MPI_Bcast(&trouble, sizeof(trouble), MPI_BYTE, worst.rank, world);
-  const Trouble &t = trouble;
-  const auto id = (tagint) t.id;
-  if (t.kind == Trouble::SMALL)
-    error->all(FLERR,
-               "Fix lb/ibb: grain {}, new at step {}, has a hydrodynamic radius of {:.3g} cells, "
-               "limit {}: use dx <= {:.4g}",
-               id, update->ntimestep, t.radius, lbm::RADIUS_LIMIT,
-               t.radius * units.dx / lbm::RADIUS_LIMIT);
-
-  std::string what, cause = "it is too fast for the fluid time step, or thrown by a contact that is "
-                            "too stiff for timestep or overlaps from the start; reduce timestep or "
-                            "every, or lay grains apart";
-  if (t.kind == Trouble::MOVED)
-    what = fmt::format("moved {:.3g} cells in one fluid step, limit 1", t.value);
-  else if (t.kind == Trouble::FAST)
-    what = fmt::format("has a surface that moves at {:.4g}, Ma = {:.3g}, limit {}",
-                       t.value * units.velocity(), mach(t.value), lbm::MACH_LIMIT);
-  else
-    what = "has a place, a velocity or a force that is not a finite number";
-  if (t.kind == Trouble::MOVED && t.speed < 0.5 * t.value)
-    cause = "it was placed anew; delete a grain and create it instead";
-  else if (t.kind == Trouble::NO_NUMBER)
-    cause = "the fluid around it is unstable, or another fix or the pair style gave it such a force; "
-            "use a smaller check to see where it begins";
-  else if (t.loose > 0.0)
-    cause = LOOSE;
-  else if (t.kind == Trouble::FAST && t.value - t.speed > t.speed)
-    cause = "it spins too fast for the fluid time step; reduce timestep or every";
-  error->all(FLERR,
-             "Fix lb/ibb: stopped at step {}, fluid step {}: grain {} at ({:.6g}, {:.6g}, {:.6g}) {}; "
-             "its speed is {:.4g}, radius {:.3g} cells, density {:.3g} rho; tau = {:.4f}. Likely "
-             "cause: {}",
-             update->ntimestep, fluid_steps, id, t.place[0], t.place[1], t.place[2], what,
-             t.speed * units.velocity(), t.radius, t.density, units.tau(options.nu), cause);
-}
-
-// ---------------------------------------------------------------------- the fluid, when surveyed
 
 // of all ranks
 void FixLbIbb::find_fastest()
@@ -180,7 +50,7 @@ void FixLbIbb::check_stability()
   lbm::reduce(survey, *neighbours);
   find_fastest();
   const double speed = std::max(survey.speed.value, fastest.speed);
-  if (!survey.bad && speed <= SPEED_WARN) return;
+  if (!survey.bad && lbm::mach(speed) <= lbm::MACH_WARN) return;
 
   // the first of the lattice that has it, whatever the cut
   const bool here = survey.bad ? mine.bad : mine.speed.value == survey.speed.value;
@@ -208,10 +78,10 @@ void FixLbIbb::check_stability()
              : fmt::format("the fluid's density is {:.4g} times rho, it must be positive",
                            1.0 + found[0]),
          found[0], found[1]);
-  if (survey.speed.value > SPEED_LIMIT)
+  if (lbm::mach(survey.speed.value) > lbm::MACH_LIMIT)
     stop(node,
          fmt::format("the fluid's speed is {:.4g}, Ma = {:.3g}, limit {}",
-                     survey.speed.value * units.velocity(), mach(survey.speed.value),
+                     survey.speed.value * units.velocity(), lbm::mach(survey.speed.value),
                      lbm::MACH_LIMIT),
          found[0], found[1]);
   warn_of_speed(node);
@@ -232,8 +102,9 @@ void FixLbIbb::warn_of_speed(const Int3 &node)
                    "cells in one fluid step, Ma = {:.3g}: compressibility spoils results above {}, "
                    "the limit is {}; reduce timestep or every",
                    update->ntimestep,
-                   grain ? fmt::format("the surface of grain {}", (tagint) fastest.id) : "the fluid",
-                   at[0], at[1], at[2], speed * units.velocity(), speed, mach(speed),
+                   grain ? fmt::format("the surface of grain {}", (tagint) fastest.id)
+                         : "the fluid",
+                   at[0], at[1], at[2], speed * units.velocity(), speed, lbm::mach(speed),
                    lbm::MACH_WARN, lbm::MACH_LIMIT);
 }
 
@@ -300,16 +171,17 @@ std::string FixLbIbb::likely_cause(const Int3 &node, const Neighbour &grain)
 {
   const double push = std::sqrt(lbm::dot(drive.force, drive.force)) / units.force_density();
   const bool beside = grain.gap < 2.0;
-  if (!(mach(push) < 0.05))
-    return fmt::format("accel or gradp, which change the fluid's speed by {:.3g} in one fluid step; "
-                       "reduce or ramp them, or reduce timestep or every",
-                       push * units.velocity());
+  if (!(lbm::mach(push) < 0.05))
+    return fmt::format(
+        "accel or gradp, which change the fluid's speed by {:.3g} in one fluid step; "
+        "reduce or ramp them, or reduce timestep or every",
+        push * units.velocity());
   if (units.tau(options.nu) < lbm::TAU_LOW)
     return "tau too close to 1/2 for this flow; enlarge the fluid time step or refine dx";
-  if (beside && grain.surface > SPEED_WARN)
+  if (beside && lbm::mach(grain.surface) > lbm::MACH_WARN)
     return "the grain is too fast for the fluid time step, or was set in motion too suddenly; "
            "reduce timestep or every, or start it slowly";
-  if (beside && grain.loose > 0.0) return LOOSE;
+  if (beside && grain.loose > 0.0) return TOO_LIGHT;
   if (near_open_face(node))
     return "the pressure or velocity of a face is too large or changes too suddenly; ramp it over "
            "several times the travel time of sound, or reduce timestep or every";
@@ -325,15 +197,15 @@ void FixLbIbb::stop(const Int3 &node, const std::string &what, double drho, doub
   const Vec3 at = place_of(node);
   const Neighbour grain = nearest_grain(at);
   const double tau = units.tau(options.nu);
-  std::string text = fmt::format(
-      "Fix lb/ibb: stopped at step {}, fluid step {}: at ({:.6g}, {:.6g}, {:.6g}), "
-      "node ({}, {}, {}), {}. There rho = {:.4g}, Ma = {:.3g}, u dx/nu = {:.3g}. ",
-      update->ntimestep, fluid_steps, at[0], at[1], at[2], node[0], node[1], node[2], what,
-      options.rho * (1.0 + drho), mach(speed), 3.0 * speed / (tau - 0.5));
+  std::string text =
+      fmt::format("Fix lb/ibb: stopped at step {}, fluid step {}: at ({:.6g}, {:.6g}, {:.6g}), "
+                  "node ({}, {}, {}), {}. There rho = {:.4g}, Ma = {:.3g}, u dx/nu = {:.3g}. ",
+                  update->ntimestep, fluid_steps, at[0], at[1], at[2], node[0], node[1], node[2],
+                  what, options.rho * (1.0 + drho), lbm::mach(speed), 3.0 * speed / (tau - 0.5));
   if (grain.gap < NOWHERE)
-    text += fmt::format("Nearest grain: {}, surface {:.3g} cells away, radius {:.3g} cells, density "
-                        "{:.3g} rho, speed {:.4g}. ",
-                        (tagint) grain.id, grain.gap, grain.radius, grain.density,
-                        grain.speed * units.velocity());
+    text += fmt::format(
+        "Nearest grain: {}, surface {:.3g} cells away, radius {:.3g} cells, density "
+        "{:.3g} rho, speed {:.4g}. ",
+        (tagint) grain.id, grain.gap, grain.radius, grain.density, grain.speed * units.velocity());
   error->all(FLERR, "{}tau = {:.4f}. Likely cause: {}", text, tau, likely_cause(node, grain));
 }

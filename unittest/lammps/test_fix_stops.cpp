@@ -99,8 +99,9 @@ TEST_F(Stops, GrainMovesMoreThanACell)
          "\nthermo 1000\nfix m all nve/sphere" + run(2));
   const std::string message = error_of("velocity all set 0.15 0 0" + run(10));
   EXPECT_IN(message, "stopped at step 3, fluid step 3: grain 1 at (");
-  EXPECT_IN(message, "moved 1.5 cells in one fluid step, limit 1; its speed is 0.15, radius 3.6 "
-                     "cells, density 2.6 rho; tau = 0.8000. ");
+  EXPECT_IN(message,
+            "moved 1.5 cells in one fluid step, limit 1; its speed is 0.15, radius 3.6 "
+            "cells, density 2.6 rho; tau = 0.8000. ");
   EXPECT_IN(message, "Likely cause: it is too fast for the fluid time step");
 }
 
@@ -126,8 +127,8 @@ TEST_F(Stops, SurfaceOfAGrainTooFast)
 TEST_F(Stops, WarnsAboveATenthOfTheSpeedOfSound)
 {
   const double u = 0.11 * SOUND;
-  const std::string scene = box({16, 12, 12}) + grain(1, {6, 6, 6}, 3.6) +
-      "\nvelocity all set " + num(u) + " 0 0" + fluid("check 1") + "\nfix m all move linear ";
+  const std::string scene = box({16, 12, 12}) + grain(1, {6, 6, 6}, 3.6) + "\nvelocity all set " +
+      num(u) + " 0 0" + fluid("check 1") + "\nfix m all move linear ";
   script(scene + num(0.8 * u) + " 0 0" + run(3));
   const int before = warnings();
   script("unfix m\nfix m all move linear " + num(u) + " 0 0");

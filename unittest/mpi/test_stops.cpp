@@ -53,8 +53,8 @@ class StopsOnRanks : public FluidTest {
     // prints before the fluid's own step, and of what the fluid has done to grains
     auto script_of = [&](const std::string &file, const std::string &dump) {
       return before + "\nvariable ke equal ke\ncompute v all reduce sum vx\n" +
-          "fix p all print 1 \"$(step)" + (print ? " $(v_ke) $(c_v)" : "") + "\" screen no " + file +
-          after.substr(0, after.rfind('\n')) +
+          "fix p all print 1 \"$(step)" + (print ? " $(v_ke) $(c_v)" : "") + "\" screen no " +
+          file + after.substr(0, after.rfind('\n')) +
           "\nthermo_style custom step ke f_w[3] f_w[9]\nthermo 7" + dump +
           after.substr(after.rfind('\n'));
     };
@@ -95,15 +95,17 @@ class StopsOnRanks : public FluidTest {
 TEST_F(StopsOnRanks, DrivenTooHard)
 {
   const std::string message =
-      stops(still(), fluid("check 3 accel v_a 0 0") + "\nvariable a equal 20*(step>3)" + frozen() + run(50));
+      stops(still(),
+            fluid("check 3 accel v_a 0 0") + "\nvariable a equal 20*(step>3)" + frozen() + run(50));
   EXPECT_IN(message, "stopped at step 6, fluid step 6: at (");
   EXPECT_IN(message, "Likely cause: accel or gradp, which change the fluid's speed by 0.02 in one");
 }
 
 TEST_F(StopsOnRanks, DrivenByWhatIsNoNumber)
 {
-  const std::string message =
-      stops(still(), fluid("check 3 accel v_a 0 0") + "\nvariable a equal 1e300*(step>3)" + frozen() + run(50));
+  const std::string message = stops(still(),
+                                    fluid("check 3 accel v_a 0 0") +
+                                        "\nvariable a equal 1e300*(step>3)" + frozen() + run(50));
   EXPECT_IN(message, "stopped at step ");
 }
 
@@ -111,23 +113,27 @@ TEST_F(StopsOnRanks, TauTooCloseToOneHalf)
 {
   const std::string message =
       stops(still(),
-            "\nfix w all lb/ibb dx " + num(DX) + " nu 1e-8 rho 1000 accel 0.3 0 0 check 5" + frozen() + run(500));
+            "\nfix w all lb/ibb dx " + num(DX) + " nu 1e-8 rho 1000 accel 0.3 0 0 check 5" +
+                frozen() + run(500));
   EXPECT_IN(message, "tau = 0.5030. Likely cause: tau too close to 1/2 for this flow");
 }
 
 TEST_F(StopsOnRanks, GrainSetInMotionTooSuddenly)
 {
   const std::string message =
-      stops(still(), fluid("check 1") + "\nfix m all move linear " + num(0.29 * SOUND) + " 0 0" + run(50));
+      stops(still(),
+            fluid("check 1") + "\nfix m all move linear " + num(0.29 * SOUND) + " 0 0" + run(50));
   EXPECT_IN(message, "the fluid's speed is ");
-  EXPECT_IN(message, "Likely cause: the grain is too fast for the fluid time step, or was set in motion");
+  EXPECT_IN(message,
+            "Likely cause: the grain is too fast for the fluid time step, or was set in motion");
 }
 
 TEST_F(StopsOnRanks, FaceTooSudden)
 {
   const std::string message =
       stops(box({24, 12, 12}, "f p p") + grain(1, {4.9, 6.1, 5.9}, 3.6),
-            fluid("check 1 face xlo velocity " + num(0.29 * SOUND) + " 0 0 face xhi pressure 0") + frozen() + run(100));
+            fluid("check 1 face xlo velocity " + num(0.29 * SOUND) + " 0 0 face xhi pressure 0") +
+                frozen() + run(100));
   EXPECT_IN(message, "Likely cause: the pressure or velocity of a face is too large or changes");
 }
 
@@ -158,19 +164,21 @@ TEST_F(StopsOnRanks, SpinsTooFast)
 TEST_F(StopsOnRanks, LightGrainCoupledExplicitly)
 {
   const std::string message =
-      stops(still() + "\nset atom 1 density 10", fluid("coupling explicit accel 1e-2 0 0") +
-                "\nfix m all nve/sphere" + run(50));
-  EXPECT_IN(message, "density 0.01 rho; tau = 0.8000. Likely cause: the grain is too light to be coupled");
+      stops(still() + "\nset atom 1 density 10",
+            fluid("coupling explicit accel 1e-2 0 0") + "\nfix m all nve/sphere" + run(50));
+  EXPECT_IN(message,
+            "density 0.01 rho; tau = 0.8000. Likely cause: the grain is too light to be coupled");
 }
 
 // two grains deep in each other, a hundred granular steps to a fluid step
 TEST_F(StopsOnRanks, ThrownByAContact)
 {
-  const std::string message =
-      stops(box({24, 12, 12}, "p p p", "comm_modify cutoff 1.2e-3") + grain(1, {8, 6, 6}, 3.6) +
-                grain(2, {14, 6, 6}, 3.6) + "\npair_style gran/lsd/coulomb\npair_coeff * * 0.3 0.9 0.4",
-            fluid("every 20") + "\ntimestep " + num(DT / 20) + "\nfix m all nve/sphere" + run(500));
-  EXPECT_IN(message, "Likely cause: it is too fast for the fluid time step, or thrown by a contact");
+  const std::string message = stops(
+      box({24, 12, 12}, "p p p", "comm_modify cutoff 1.2e-3") + grain(1, {8, 6, 6}, 3.6) +
+          grain(2, {14, 6, 6}, 3.6) + "\npair_style gran/lsd/coulomb\npair_coeff * * 0.3 0.9 0.4",
+      fluid("every 20") + "\ntimestep " + num(DT / 20) + "\nfix m all nve/sphere" + run(500));
+  EXPECT_IN(message,
+            "Likely cause: it is too fast for the fluid time step, or thrown by a contact");
 }
 
 TEST_F(StopsOnRanks, GrainPlacedAnew)
@@ -183,16 +191,19 @@ TEST_F(StopsOnRanks, GrainPlacedAnew)
 TEST_F(StopsOnRanks, NewGrainTooSmall)
 {
   const std::string message =
-      stops(still(), fluid() + frozen() + run(5) + "\ncreate_atoms 1 single " + at({12.1, 6, 6}) +
+      stops(still(),
+            fluid() + frozen() + run(5) + "\ncreate_atoms 1 single " + at({12.1, 6, 6}) +
                 "\nset atom 2 diameter 3e-4 density 2600" + run(5));
   EXPECT_IN(message, "is 1.5 cells, limit 2: use dx <= 7.5e-05");
 }
 
 TEST_F(StopsOnRanks, ForceThatIsNoNumber)
 {
-  const std::string message =
-      stops(still(), fluid() + "\nvariable push equal 1e-12*exp(1000*(step>3))\nfix push all addforce v_push 0 0" +
-                "\nfix m all nve/sphere" + run(50), false);    // a variable would refuse it first
+  const std::string message = stops(
+      still(),
+      fluid() + "\nvariable push equal 1e-12*exp(1000*(step>3))\nfix push all addforce v_push 0 0" +
+          "\nfix m all nve/sphere" + run(50),
+      false);    // a variable would refuse it first
   EXPECT_IN(message, "stopped at step 4, fluid step 4: grain 1 at (");
   EXPECT_IN(message, "has a place, a velocity or a force that is not a finite number");
 }
@@ -201,7 +212,8 @@ TEST_F(StopsOnRanks, ForceThatIsNoNumber)
 TEST_F(StopsOnRanks, ForceOfAFluidThatIsNoNumber)
 {
   const std::string message =
-      stops(still(), fluid("every 5 check 1000 accel v_a 0 0") + "\nvariable a equal 1e300*(step>30)" +
+      stops(still(),
+            fluid("every 5 check 1000 accel v_a 0 0") + "\nvariable a equal 1e300*(step>30)" +
                 "\ntimestep " + num(DT / 5) + "\nfix m all nve/sphere" + run(60));
   EXPECT_IN(message, "stopped at step 35, fluid step 7: ");
 }
