@@ -129,8 +129,8 @@ def check_free(v, files, run):
 def free(quick):
     ratios = [0.01, 1.001, 100] if quick else [0.01, 0.03, 0.1, 0.2, 0.4, 0.7, 0.999, 1.001, 2, 10, 100]
     radii = [2.0, 5.0] if quick else [2.0, 2.5, 3.3, 5.0, 7.0, 10.0]
-    limit = 600 if quick else 2000
-    return [Case("free", "in.free", {"ratio": ratio, "r": r, "coupling": coupling, "limit": limit}, check_free)
+    steps = lambda r: 600 if quick else 2000 if r < 6 else 1200 if r < 9 else 800
+    return [Case("free", "in.free", {"ratio": ratio, "r": r, "coupling": coupling, "limit": steps(r)}, check_free)
             for coupling, r, ratio in itertools.product(["auto", "explicit"], radii, ratios)
             if coupling == "auto" or r < 6]
 

@@ -50,7 +50,8 @@ void FixLbIbb::check_stability()
   lbm::reduce(survey, *neighbours);
   find_fastest();
   const double speed = std::max(survey.speed.value, fastest.speed);
-  if (!survey.bad && lbm::mach(speed) <= lbm::MACH_WARN) return;
+  if (!survey.bad && lbm::mach(speed) <= (warned_of_speed ? lbm::MACH_LIMIT : lbm::MACH_WARN))
+    return;
 
   // the first of the lattice that has it, whatever the cut
   const bool here = survey.bad ? mine.bad : mine.speed.value == survey.speed.value;

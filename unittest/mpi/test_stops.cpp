@@ -217,3 +217,15 @@ TEST_F(StopsOnRanks, ForceOfAFluidThatIsNoNumber)
                 "\ntimestep " + num(DT / 5) + "\nfix m all nve/sphere" + run(60));
   EXPECT_IN(message, "stopped at step 35, fluid step 7: ");
 }
+
+// a profile is asked for between checks, by what prints before the fluid's own step
+TEST_F(StopsOnRanks, ProfileOfAFluidThatIsNoNumber)
+{
+  script(box({12, 12, 12}) + fluid("check 1000 accel v_a 0 0") +
+         "\nvariable a equal 1e300*(step>3)\ncompute c all lb/ibb/profile w x layers 2" +
+         "\nfix p all ave/time 1 1 1 c_c[3] c_c[6] mode vector file profile.txt\nthermo 1000");
+  EXPECT_ERROR(run(20), "stopped at step ");
+  lmp.reset();
+  EXPECT_FALSE(has_no_number(contents("profile.txt"))) << contents("profile.txt");
+  MPI_Barrier(MPI_COMM_WORLD);
+}
