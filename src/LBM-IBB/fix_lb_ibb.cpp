@@ -43,12 +43,13 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), units{}, nodes{1, 1, 1}, fluid_steps(0), first_step(-1), last_step(-1),
     history(nullptr), ghosted(nullptr), nghosted(0), survey_step(-1), fastest{},
     warned_of_masses(false), atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr),
-    moving_bits(0), held_bits(0), about(LOADS), was_saved(false), starts_anew(false)
+    moving_bits(0), held_bits(0), about(LOADS), was_saved(false), starts_anew(false), trouble{},
+    warned_of_speed(false)
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)
     error->all(FLERR, "Fix lb/ibb: the simulation box must be defined before the fix");
-  if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
+  check_box();
   options = LBOptionsParser(lmp, narg, arg).parse();
 
   nevery = options.every;
@@ -108,6 +109,7 @@ void FixLbIbb::setup(int)
   review_setup();
   share_volumes();
   share_nodes();
+  warned_of_speed = false;
   survey_step = -1;    // forces may have changed, and the velocity has half of one in it
   start_clock();
   // The velocities are to be integrated with the forces that were there when the last run ended:
@@ -172,6 +174,7 @@ void FixLbIbb::end_of_step()
   clock.fluid += advanced - placed;
   clock.grains += placed - start + platform::walltime() - advanced;
   survey_step = -1;
+  stop_for_trouble();
   const bool output_follows = output->next < update->ntimestep + nevery;
   if (fluid_steps % options.check == 0 || output_follows) take_survey();
 }

@@ -131,6 +131,7 @@ class FixLbIbb : public Fix {
   } fastest;
 
   // set-up, in fix_lb_ibb_setup.cpp
+  void check_box();
   void check_scene();
   void check_cut();
   void check_averages();
@@ -169,8 +170,6 @@ class FixLbIbb : public Fix {
   void place_grains();
   void give_forces();
   void share_nodes();
-  void check_grain(int i, const lbm::Sphere &s);
-  void check_displacement(int i, const lbm::Sphere &s);
 
   // light grains, in fix_lb_ibb_light.cpp: none of this is there without them
   class FixStoreAtom *light;
@@ -196,10 +195,31 @@ class FixLbIbb : public Fix {
 
   // watching
   void take_survey();
+  lbm::Vec3 total_force();
+
+  // what no run may go on with: grains in fix_lb_ibb_inspect.cpp, fluid in fix_lb_ibb_tripwire.cpp
+  static const char TOO_LIGHT[];    // a likely cause
+  // gravest thing a rank has found wrong with one of its grains in this fluid step; lattice units
+  struct Trouble {
+    enum Kind { NONE, SMALL, FAST, MOVED, NO_NUMBER };
+    double kind, value, id, radius, density, speed,
+        loose;          // loose: light, but not coupled as such
+    lbm::Vec3 place;    // physical
+  } trouble;
+  void inspect_grain(int i, double *place_and_motion);
+  void inspect_force(int i, const double *force);
+  void note(Trouble::Kind kind, int i, double value);
+  void stop_for_trouble();
+  struct Neighbour;    // grain nearest to a node
+  Neighbour nearest_grain(const lbm::Vec3 &at);
   void check_stability();
   void find_fastest();
-  [[noreturn]] void stop(const lbm::Int3 &node, const std::string &what);
-  lbm::Vec3 total_force();
+  bool warned_of_speed;    // in this run
+  void warn_of_speed(const lbm::Int3 &node);
+  lbm::Vec3 place_of(const lbm::Int3 &node) const;
+  bool near_open_face(const lbm::Int3 &node) const;
+  std::string likely_cause(const lbm::Int3 &node, const Neighbour &grain);
+  [[noreturn]] void stop(const lbm::Int3 &node, const std::string &what, double drho, double speed);
 };
 
 }    // namespace LAMMPS_NS

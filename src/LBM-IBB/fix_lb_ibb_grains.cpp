@@ -13,15 +13,11 @@
 
 #include "fix_lb_ibb.h"
 
-#include "lbm_rules.h"
-
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "force.h"
 #include "memory.h"
-#include "update.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +32,7 @@ void FixLbIbb::place_grains()
   spheres.clear();
   sphere_atom.clear();
   fastest = {};
+  trouble = {};
   if (atom->natoms == 0 || !atom->radius_flag) return;
 
   const int nall = atom->nlocal + atom->nghost;
@@ -52,6 +49,7 @@ void FixLbIbb::place_grains()
     }
     ghosted[i][9] = history[i][EXCESS];
     ghosted[i][10] = history[i][REFUND];
+    if (atom->mask[i] & groupbit) inspect_grain(i, ghosted[i]);
   }
   comm->forward_comm(this);
 
@@ -67,7 +65,6 @@ void FixLbIbb::place_grains()
                   g[9],
                   g[10],
                   is_light(i)};
-    if (i < atom->nlocal) check_grain(i, s);
     bool reaches = true;
     for (int d = 0; d < domain->dimension; d++) {
       const double seen = (atom->x[i][d] - domain->boxlo[d]) / units.dx;
@@ -80,45 +77,6 @@ void FixLbIbb::place_grains()
     spheres.push_back(s);
     sphere_atom.push_back(i);
   }
-}
-
-// what no run may go on with, and what check_stability() will look at
-void FixLbIbb::check_grain(int i, const lbm::Sphere &s)
-{
-  double *past = history[i];
-  if (past[AGE] > 0.0)
-    check_displacement(i, s);
-  else if (!(s.radius >= lbm::RADIUS_LIMIT))
-    error->one(FLERR,
-               "Fix lb/ibb: grain {}, new at step {}, has a hydrodynamic radius of {:.3g} cells, "
-               "limit {}: use dx <= {:.4g}",
-               atom->tag[i], update->ntimestep, s.radius, lbm::RADIUS_LIMIT,
-               hydrodynamic_radius(i) / lbm::RADIUS_LIMIT);
-  for (int d = 0; d < 3; d++) past[PLACE + d] = s.centre[d];
-  const double speed =
-      std::sqrt(lbm::dot(s.velocity, s.velocity)) + s.radius * std::sqrt(lbm::dot(s.spin, s.spin));
-  if (speed > fastest.speed) fastest = {speed, double(s.id), s.centre};
-}
-
-void FixLbIbb::check_displacement(int i, const lbm::Sphere &s)
-{
-  Vec3 step{};
-  for (int d = 0; d < domain->dimension; d++) {
-    step[d] = s.centre[d] - history[i][PLACE + d];
-    if (domain->periodicity[d]) step[d] -= nodes[d] * std::nearbyint(step[d] / nodes[d]);
-  }
-  const double moved = std::sqrt(lbm::dot(step, step));
-  if (moved <= 1.0) return;    // false for what is not a number
-  const double speed = std::sqrt(lbm::dot(s.velocity, s.velocity));
-  error->one(FLERR,
-             "Fix lb/ibb: stopped at step {}, fluid step {}: grain {} at ({:.6g}, {:.6g}, {:.6g}) "
-             "moved {:.3g} cells in one fluid step, limit 1; its speed is {:.4g}. Likely cause: {}",
-             update->ntimestep, fluid_steps, atom->tag[i], atom->x[i][0], atom->x[i][1],
-             atom->x[i][2], moved, speed * units.velocity(),
-             speed < 0.5 * moved
-                 ? "it was placed anew; delete a grain and create it instead"
-                 : "it is too fast for the fluid time step, or its contacts are too stiff for "
-                   "timestep; reduce timestep or every");
 }
 
 // momentum of the links to the grains, summed over images and ranks; mean of two steps if wanted
@@ -159,6 +117,7 @@ void FixLbIbb::give_forces()
     past[EXCESS] = ghosted[i][7] > 0.0 ? ghosted[i][6] / ghosted[i][7] : 0.0;
     if (options.conserve) past[REFUND] = lbm::refund(ghosted[i][8], past[SWALLOWED], ghosted[i][7]);
     past[SWALLOWED] = ghosted[i][8];
+    inspect_force(i, ghosted[i]);
     if (options.has_gradp) {
       const double volume = displaced_volume(i);
       for (int d = 0; d < 3; d++) held[FORCE + d] -= volume * drive.gradp[d];

@@ -65,14 +65,20 @@ void FixLbIbb::reset_dt()
                units.dt / nevery, update->dt);
 }
 
+// also when the fix is defined: the length of such boxes is no number of cells
+void FixLbIbb::check_box()
+{
+  if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
+  if (domain->nonperiodic == 2)
+    error->all(FLERR, "Fix lb/ibb does not support shrink-wrapped boxes: use boundary style f");
+}
+
 void FixLbIbb::check_scene()
 {
   if (update->whichflag == 2) error->all(FLERR, "Fix lb/ibb cannot be used with minimisation");
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix lb/ibb cannot be used with run_style respa");
-  if (domain->triclinic) error->all(FLERR, "Fix lb/ibb does not support triclinic boxes");
-  if (domain->nonperiodic == 2)
-    error->all(FLERR, "Fix lb/ibb does not support shrink-wrapped boxes: use boundary style f");
+  check_box();
   if (domain->box_change_size || domain->box_change_shape)
     error->all(FLERR, "Fix lb/ibb does not support a changing box: remove the fix that changes it");
   if (domain->box_change_domain && comm->nprocs > 1) check_averages();

@@ -8,6 +8,7 @@
 
 #include "lbm_units.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,14 @@ constexpr double EXCESS_WARN = 0.05, EXCESS_LIMIT = 0.20;    // of the density
 // Density ratio times radius in cells below which a held force may throw a grain back and forth:
 // twice what was found for the mean of two steps; four times for the force of the last step alone
 constexpr double LIGHT_LIMIT = 1.6;
-constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;      // cells per radius, section 4.1
+constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;    // cells per radius, section 4.1
 constexpr double TAU_LOW = 0.51, TAU_HIGH = 3.0;
+
+// of a speed in lattice units
+inline double mach(double speed)
+{
+  return speed * std::sqrt(3.0);
+}
 
 struct Finding {
   bool fatal;

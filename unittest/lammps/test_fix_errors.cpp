@@ -220,6 +220,8 @@ TEST_F(Refusals, Scenes)
             "only one fluid can fill the box: unfix w or v");
   EXPECT_IN(with("fix b all deform 1 x scale 1.1"), "does not support a changing box");
   EXPECT_IN(with("change_box all boundary s p p"), "shrink-wrapped");
+  start();    // and not for a length that no dx divides
+  EXPECT_ERROR(box({12, 12, 12}, "p p s") + fluid("face zlo wall face zhi wall"), "shrink-wrapped");
   EXPECT_IN(with("change_box all x final 0 1.3e-3"),
             "the box has changed since the fix was defined");
   EXPECT_IN(with("change_box all boundary f p p"), "boundary command was used after");
