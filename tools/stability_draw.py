@@ -75,4 +75,5 @@ def draw(results, folder):
         part = [(c, r) for c, r in results if c.group == group]
         if part and plt:
             sweep(group, part, folder)
-    (folder / "rows.md").write_text(table(results) + "\n")
+    if any(case.group == "rows" for case, _ in results):
+        (folder / "rows.md").write_text(table(results) + "\n")
