@@ -47,8 +47,8 @@ def check_flow(v, _, run):
 
 
 def flow(quick):
-    taus = [0.5005, 0.502, 0.505, 0.51, 0.52, 0.55, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 5.0]
-    speeds = [0.01, 0.03, 0.1, 0.2, 0.29, 0.35, 0.4]
+    taus = [0.5005, 0.505, 0.51, 0.52, 0.55, 0.6, 0.8, 1.0, 2.0, 5.0]
+    speeds = [0.01, 0.03, 0.1, 0.2, 0.29, 0.4]
     if quick:
         taus, speeds = [0.5005, 0.55, 1.0], [0.03, 0.2, 0.4]
     return [Case("flow", "in.sphere", {"tau": tau, "Ma": Ma, "collision": collision}, check_flow)

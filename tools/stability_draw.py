@@ -1,4 +1,6 @@
 """Maps of ./run stability, one for each sweep, and the tables of its page."""
+import textwrap
+
 try:
     import matplotlib
     matplotlib.use("Agg")
@@ -12,7 +14,7 @@ from stability_run import KINDS
 COLOUR = {"stable": "#3a923a", "warned": "#b5cf6b", "refused": "#9ecae1", "stopped": "#fd8d3c", "FAULT": "#d62728"}
 # of each sweep: along the map, up the map, one map for each value of
 AXES = {"flow": (("tau", r"$\tau$"), ("Ma", "Ma of the water that enters"), ("collision",)),
-        "contact": (("every", "granular steps per fluid step (k_n grows with its square)"),
+        "contact": (("every", r"granular steps per fluid step; $k_n \propto$ its square"),
                     ("contact", "time steps per contact"), ("rho", "e")),
         "free": (("ratio", r"$\rho_s/\rho$"), ("r", r"$r/\Delta x$"), ("coupling",)),
         "column": (("tau", r"$\tau$"), ("excess", r"$\Delta p/\rho c_s^2$"), ("ramp",)),
@@ -62,7 +64,7 @@ def table(results):
     for case, result in results:
         if case.group == "rows":
             ranks = f", {case.ranks} ranks" if case.ranks > 1 else ""
-            found = result.kind + (f": {result.why}" if result.why else "")
+            found = result.kind + (": " + textwrap.shorten(result.why, 170, placeholder=" ...") if result.why else "")
             cells = [case.title + ranks, case.want or "right, refused or stopped", found, f"`{case.command()}`"]
             lines.append("| " + " | ".join(cell.replace("|", "/") for cell in cells) + " |")
     return "\n".join(lines)
@@ -73,4 +75,5 @@ def draw(results, folder):
         part = [(c, r) for c, r in results if c.group == group]
         if part and plt:
             sweep(group, part, folder)
-    (folder / "rows.md").write_text(table(results) + "\n")
+    if any(case.group == "rows" for case, _ in results):
+        (folder / "rows.md").write_text(table(results) + "\n")
