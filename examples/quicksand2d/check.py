@@ -50,12 +50,17 @@ def lowest(name):
     s = tables.series(name)
     begin = tables.when(s, 3, 0.05)
     figure("begins_to_rise_at_0.97_s", begin, 0, "-")
-    if not begin:
+
+
+def loosens(name, label):
+    """where the bed loosens while it rises from 0.1 to 0.4 mean diameters, and what the gradient does there"""
+    s = tables.series(name)
+    begin, first, last = (tables.when(s, 3, rise) for rise in (0.05, 0.1, 0.4))
+    if not last:
         return
     dt = s[-1][1] / s[-1][0]
-    before = tables.mean_profile(name, 0.08, 0.14, dt)
-    going = tables.when(s, 3, 0.6) or s[-1][1] - 0.02    # the bed has begun to go
-    during = tables.mean_profile(name, going - 0.02, going + 0.02, dt)
+    before = tables.mean_profile(name, begin - 0.03, begin - 0.005, dt)
+    during = tables.mean_profile(name, first, last, dt)
     # the loosened zone: layers around the one that has gained most, with half of its gain at least;
     # the layer at the floor and those at the top of the bed are not full
     bed = [k for k, r in enumerate(before) if r[1] < 0.5][:-2]
@@ -70,11 +75,11 @@ def lowest(name):
 
     def mean(rows, part, column):
         return sum(rows[k][column] for k in part) / len(part)
-    figure("loosened_zone_middle/bed_height", (mean(before, zone, 0) * 1e3 - FLOOR) / s[0][6], 0, 0.5)
-    figure("loosened_zone_porosity_gain", mean(during, zone, 1) - mean(before, zone, 1), 0.01, "-")
-    for label, part, low, high in (("in_loosened_zone", zone, "-", 1.0), ("above_it", above, 1.0, "-")):
-        figure(f"gradient_{label}_before/i_c", mean(before, part, 4))
-        figure(f"gradient_growth_{label}", mean(during, part, 3) / mean(before, part, 3), low, high)
+    figure(f"loosened_zone_middle/bed_height_at_{label}", (mean(before, zone, 0) * 1e3 - FLOOR) / s[0][6], 0, 0.5)
+    figure(f"loosened_zone_porosity_gain_at_{label}", mean(during, zone, 1) - mean(before, zone, 1), 0.01, "-")
+    for where, part, low, high in (("in_loosened_zone", zone, "-", 1.0), ("above_it", above, 1.0, "-")):
+        figure(f"gradient_{where}_before/i_c_at_{label}", mean(before, part, 4))
+        figure(f"gradient_growth_{where}_at_{label}", mean(during, part, 3) / mean(before, part, 3), low, high)
 
 
 if __name__ == "__main__":
@@ -84,6 +89,7 @@ if __name__ == "__main__":
         slow = lifted("i100", "1.00", 0.05)
         figure("rise_1.10/1.00", fast[29][3] / slow[29][3], 1.0, "-")
         lowest("low")
+        loosens("i100", "1.00")
     with open("results.txt", "w") as file:
         file.write("\n".join(RESULTS) + "\n")
     print("\n".join(RESULTS))
