@@ -55,7 +55,7 @@ def set_up():
 def in_course():
     return [
         row("water gets too fast", "stopped: the fluid's speed is", drive="accel 0.02 0 0", case="still"),
-        row("density falls below 0", "stopped: it must be positive", boundary="p p f", case="empty",
+        row("accel beyond Ma 0.3 in a step", "refused: accel and gradp", boundary="p p f", case="empty",
             drive="accel 0 0 3.0 face zlo wall face zhi wall", options="check 1"),
         *[row("surface too fast, Ma > 0.3", "stopped: has a surface that moves", ranks=ranks, case="spinning")
           for ranks in (1, 2, 4)],

@@ -49,6 +49,8 @@ def events(table):
     e["lean_at_2s_deg"] = at(2.0, t, lean)
     e["peak_spin_1/s"] = max(max(map(abs, s1)), max(map(abs, s2)))
     e["overlap_cells"] = -min(gap) * 2 * R / CELL
+    # then water is sucked in between them, for a sample or two
+    e["largest_Ma_until_separation"] = max(m for time, m in zip(t, ma) if not time > e["separation_s"])
     e["largest_Ma"] = max(ma)
     return e
 
@@ -74,6 +76,8 @@ def main():
         order_holds = all(a < b for a, b in zip(order, order[1:])) and e["separation_s"] > order[2]
         results.append((f"{name}:sequence_drafting_kissing_tumbling", float(order_holds), 1, 1))
         results.append((f"{name}:largest_Ma", e["largest_Ma"],
+                        *((0, ma_limit) if ma_limit and name != "coarse" else ("-", "-"))))
+        results.append((f"{name}:largest_Ma_until_separation", e["largest_Ma_until_separation"],
                         *((0, ma_limit) if ma_limit else ("-", "-"))))
         results.append((f"{name}:leading_velocity_cm/s@2.0s",
                         at(2.0, t, v["leading_velocity_cm/s"]), "-", "-"))
