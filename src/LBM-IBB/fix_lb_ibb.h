@@ -105,10 +105,10 @@ class FixLbIbb : public Fix {
   void start_clock();
   double speed() const;    // million nodes a second
 
-  // columns of array_atom, which is for all to see, SHARE as in share_nodes(); and of history: force
-  // and torque before the last fluid step, those of that step alone, where the grain was then, fluid
-  // steps it has seen, the mean density excess around it, the mass it will give back and that it
-  // swallowed, and what of its volume counts for others of its clump
+  // columns of array_atom, which is for all to see, SHARE as in share_nodes(); and of history:
+  // force and torque before the last fluid step, those of that step alone, where the grain was
+  // then, fluid steps it has seen, the mean density excess around it, the mass it will give back
+  // and that it swallowed, and what of its volume counts for others of its clump
   enum { FORCE = 0, TORQUE = 3, SHARE = 6, SHOWN = 7 };
   enum { BEFORE = 0, LAST = 6, PLACE = 12, AGE = 15, EXCESS = 16, REFUND = 17, SWALLOWED = 18 };
   enum { SHARED = 19 };

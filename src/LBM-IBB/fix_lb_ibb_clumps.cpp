@@ -9,8 +9,9 @@
    See the README file in the top-level LAMMPS directory.
 ------------------------------------------------------------------------- */
 
-// Clumps: spheres that fix rigid holds together displace the volume of their union, which buoyancy and
-// a pressure gradient act on. Bodies keep their shape: looked at when runs start or grains come.
+// Clumps: spheres that fix rigid holds together displace the volume of their union, which buoyancy
+// and a pressure gradient act on. Bodies keep their shape: looked at when runs start or grains
+// come.
 
 #include "fix_lb_ibb.h"
 

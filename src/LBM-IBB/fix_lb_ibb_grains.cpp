@@ -128,8 +128,8 @@ void FixLbIbb::give_forces()
   share_nodes();
 }
 
-// The nodes of this rank, evenly over its grains: weights for the balance commands, which see grains
-// alone. Their sum over a rank is what its part of the lattice costs.
+// The nodes of this rank, evenly over its grains: weights for the balance commands, which see
+// grains alone. Their sum over a rank is what its part of the lattice costs.
 void FixLbIbb::share_nodes()
 {
   int grains = 0;

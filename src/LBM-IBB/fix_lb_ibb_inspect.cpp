@@ -9,8 +9,9 @@
    See the README file in the top-level LAMMPS directory.
 ------------------------------------------------------------------------- */
 
-// Grains of fix lb/ibb are looked at in every fluid step, before and after the fluid has moved: a place,
-// velocity or force that no run may go on with. All ranks stop together, before anything of it is written.
+// Grains of fix lb/ibb are looked at in every fluid step, before and after the fluid has moved: a
+// place, velocity or force that no run may go on with. All ranks stop together, before anything of
+// it is written.
 
 #include "fix_lb_ibb.h"
 

@@ -12,10 +12,10 @@
 // Light grains of fix lb/ibb: the fluid answers to their velocity within a fluid step. With a force
 // that is held, a grain much lighter than the fluid it has to move along is thrown back and forth.
 //
-// In every granular step the force on a light grain is F - zeta (U - U_0), with F, zeta of the links
-// and U_0 of the last fluid step (lbm_yield.h), U that of the middle of the step to come: solved for,
-// not taken from before. The mean of U - U_0 is told to the fluid before its next step, so that
-// momentum is kept to round-off.
+// In every granular step the force on a light grain is F - zeta (U - U_0), with F, zeta of the
+// links and U_0 of the last fluid step (lbm_yield.h), U that of the middle of the step to come:
+// solved for, not taken from before. The mean of U - U_0 is told to the fluid before its next step,
+// so that momentum is kept to round-off.
 
 #include "fix_lb_ibb.h"
 
@@ -44,9 +44,9 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int SIZE = lbm::Response::SIZE;
 
-// columns of the store: zeta; what links swallow more, by velocity; U_0 and the sum of U - U_0 since
-// the last fluid step; area of the links; then zeta and U_0 of before that step, for runs that begin
-// right after it. Physical, but TAKEN and AREA.
+// columns of the store: zeta; what links swallow more, by velocity; U_0 and the sum of U - U_0
+// since the last fluid step; area of the links; then zeta and U_0 of before that step, for runs
+// that begin right after it. Physical, but TAKEN and AREA.
 enum { ZETA = 0, TAKEN = SIZE, START = TAKEN + 6, SUM = START + 6, AREA = SUM + 6 };
 enum { FORMER_ZETA = AREA + 1, FORMER_START = FORMER_ZETA + SIZE, ROW = FORMER_START + 6 };
 
@@ -146,8 +146,8 @@ void FixLbIbb::yield(bool start, bool before)
   }
 }
 
-// Before a fluid step: the fluid of the last one learns how much faster light grains were. Grains may
-// have changed ranks since, so that spheres are found by their ids. Collective.
+// Before a fluid step: the fluid of the last one learns how much faster light grains were. Grains
+// may have changed ranks since, so that spheres are found by their ids. Collective.
 void FixLbIbb::correct_fluid()
 {
   if (!light || fluid_steps == 0) return;

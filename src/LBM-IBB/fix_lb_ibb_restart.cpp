@@ -28,8 +28,8 @@
 
 using namespace LAMMPS_NS;
 
-// As it is in the file: plain bytes, which LAMMPS reads only on machines of the same kind. has_fluid
-// is 0 before the fluid has moved: then it starts anew.
+// As it is in the file: plain bytes, which LAMMPS reads only on machines of the same kind.
+// has_fluid is 0 before the fluid has moved: then it starts anew.
 struct FixLbIbb::Saved {
   static constexpr int VERSION = 1;
   int version = VERSION, bytes = sizeof(Saved);

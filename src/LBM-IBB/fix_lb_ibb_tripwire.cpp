@@ -9,8 +9,9 @@
    See the README file in the top-level LAMMPS directory.
 ------------------------------------------------------------------------- */
 
-// The tripwire of fix lb/ibb: a fluid that no run may go on with, found before it is shown to anybody. All
-// ranks stop together with one message: place, time, nearest grain, numbers, likely cause, what to try.
+// The tripwire of fix lb/ibb: a fluid that no run may go on with, found before it is shown to
+// anybody. All ranks stop together with one message: place, time, nearest grain, numbers, likely
+// cause, what to try.
 
 #include "fix_lb_ibb.h"
 

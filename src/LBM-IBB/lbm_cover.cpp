@@ -7,7 +7,8 @@
 namespace lbm {
 
 Cover::Cover(const Layout &layout, int dimension, const Sides &sides) :
-    at_(layout), dimension_(dimension), sides_(sides), map_(layout.size + READ_PAST, FLUID), open_(false)
+    at_(layout), dimension_(dimension), sides_(sides), map_(layout.size + READ_PAST, FLUID),
+    open_(false)
 {
   for (int d = 0; d < 3; d++) {
     lo_[d] = sides[d][0] == NEIGHBOUR ? -at_.ghost[d] : 0;

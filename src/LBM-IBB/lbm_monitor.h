@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// What the whole fluid looks like at one moment: sums, extremes, and the first node that went wrong.
-// One pass over the block, made only when somebody asks. Lattice units.
+// What the whole fluid looks like at one moment: sums, extremes, and the first node that went
+// wrong. One pass over the block, made only when somebody asks. Lattice units.
 
 #ifndef LBM_MONITOR_H
 #define LBM_MONITOR_H

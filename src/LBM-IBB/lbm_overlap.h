@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 
-// How much of its volume a sphere keeps where others overlap it: those of a clump displace the volume
-// of their union, shared out by depth as nodes are in lbm_cover.h.
+// How much of its volume a sphere keeps where others overlap it: those of a clump displace the
+// volume of their union, shared out by depth as nodes are in lbm_cover.h.
 
 #ifndef LBM_OVERLAP_H
 #define LBM_OVERLAP_H

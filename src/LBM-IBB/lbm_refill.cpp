@@ -174,9 +174,9 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
     const Eigen::Matrix3d P = -tau / 3.0 * (gradient + gradient.transpose());
     for (int i = 0; i < L::Q; i++) {
       const Eigen::Vector3d e(L::e[i][0], L::e[i][1], L::e[i][2]);
-      f[i][nodes[k].n] = typename L::Real(
-          bare_equilibrium<L>(i, m, force) +
-          4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0));
+      f[i][nodes[k].n] =
+          typename L::Real(bare_equilibrium<L>(i, m, force) +
+                           4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0));
     }
   }
 }
@@ -187,7 +187,8 @@ void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vecto
 {
   for (const Uncovered &node : nodes) {
     const Moments m{drho_mean, solid_velocity(before, node)};
-    for (int i = 0; i < L::Q; i++) f[i][node.n] = typename L::Real(bare_equilibrium<L>(i, m, force));
+    for (int i = 0; i < L::Q; i++)
+      f[i][node.n] = typename L::Real(bare_equilibrium<L>(i, m, force));
     count.equilibrium++;
   }
 }

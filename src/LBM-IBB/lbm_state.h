@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// What the next step of the fluid depends on, but for what drives it: populations and the spheres of
-// the last step, in a form that neither ranks nor the parity of the streaming shape.
+// What the next step of the fluid depends on, but for what drives it: populations and the spheres
+// of the last step, in a form that neither ranks nor the parity of the streaming shape.
 //
 // The canonical form of a node are its N_t(i, x), i = 0..Q-1 (lbm_block.h), in the precision they
 // are stored in: bit for bit. Solid nodes have them too: they are read when a sphere uncovers them.
-// Nodes follow each other with x fastest. Spheres are those of the last follow(), one of each grain.
+// Nodes follow each other with x fastest. Spheres are those of the last follow(), one of each
+// grain.
 
 #ifndef LBM_STATE_H
 #define LBM_STATE_H

@@ -7,8 +7,8 @@
 namespace lbm {
 namespace {
 
-  // What the nodes of a tile may take of the cache, and blocks not worth cutting. Smaller tiles stay
-  // nearer to the core, but cut spheres into more pieces: 1/2 to 4 MiB are alike (Zen 5).
+  // What the nodes of a tile may take of the cache, and blocks not worth cutting. Smaller tiles
+  // stay nearer to the core, but cut spheres into more pieces: 1/2 to 4 MiB are alike (Zen 5).
   constexpr double TILE = 3.0 * (1 << 20), WHOLE = 16.0 * (1 << 20);
   // rows are not cut shorter: whole packs, and enough of them to read ahead
   constexpr int ROW = 128;

@@ -7,8 +7,8 @@
 //     F - zeta (du, dspin),    zeta = sum of a g g^T    (links of gaps left out)
 // Whoever moves the sphere uses this load, implicitly, and says afterwards by how much the velocity
 // was larger in the mean: correct() then takes zeta du from the fluid, to round-off, along the same
-// links. Rest density is good enough for zeta, and terms of second order in velocity are left out of
-// it; F has both. Lattice units.
+// links. Rest density is good enough for zeta, and terms of second order in velocity are left out
+// of it; F has both. Lattice units.
 
 #ifndef LBM_YIELD_H
 #define LBM_YIELD_H
