@@ -180,6 +180,7 @@ class FixLbIbb : public Fix {
   void find_integrators();
   void provide_light();
   bool is_light(int i) const;
+  double density_ratio(int i) const;
   bool below_limit(int i) const;
   void yield(bool start, bool before);
   void correct_fluid();

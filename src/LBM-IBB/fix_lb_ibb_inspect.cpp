@@ -88,13 +88,12 @@ void FixLbIbb::note(Trouble::Kind kind, int i, double value)
   if (kind < trouble.kind || (kind == trouble.kind && value < trouble.value) ||
       (kind == trouble.kind && value == trouble.value && id > trouble.id))
     return;
-  const double mass = options.rho * units.grain_volume(hydrodynamic_radius(i));
   const Vec3 v{atom->v[i][0], atom->v[i][1], atom->v[i][2]};
   trouble = {double(kind),
              value,
              id,
              hydrodynamic_radius(i) / units.dx,
-             atom->rmass[i] / mass,
+             density_ratio(i),
              std::sqrt(lbm::dot(v, v)) / units.velocity(),
              below_limit(i) && !is_light(i) ? 1.0 : 0.0,
              {atom->x[i][0], atom->x[i][1], atom->x[i][2]}};

@@ -88,11 +88,16 @@ bool FixLbIbb::is_light(int i) const
   return options.coupling == LBOptions::IMPLICIT || below_limit(i);
 }
 
+// of the grain, its mass in its hydrodynamic volume, to that of the fluid
+double FixLbIbb::density_ratio(int i) const
+{
+  return atom->rmass[i] / (options.rho * units.grain_volume(hydrodynamic_radius(i)));
+}
+
 bool FixLbIbb::below_limit(int i) const
 {
-  const double r = hydrodynamic_radius(i);
-  const double ratio = atom->rmass[i] / (options.rho * units.grain_volume(r));
-  return ratio * r / options.dx < (options.average ? lbm::LIGHT_LIMIT : 2.0 * lbm::LIGHT_LIMIT);
+  return density_ratio(i) * hydrodynamic_radius(i) / options.dx <
+      (options.average ? lbm::LIGHT_LIMIT : 2.0 * lbm::LIGHT_LIMIT);
 }
 
 // Storage, once there are grains that need it. Collective.

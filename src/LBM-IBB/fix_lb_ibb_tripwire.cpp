@@ -155,7 +155,7 @@ FixLbIbb::Neighbour FixLbIbb::nearest_grain(const Vec3 &at)
     mine = {gap,
             double(atom->tag[i]),
             r / units.dx,
-            atom->rmass[i] / (options.rho * units.grain_volume(r)),
+            density_ratio(i),
             speed / units.velocity(),
             (speed + r * std::sqrt(lbm::dot(spin, spin))) / units.velocity(),
             below_limit(i) && !is_light(i) ? 1.0 : 0.0};

@@ -10,20 +10,6 @@
 namespace lbm {
 namespace {
 
-  // less than a pack of links, filled with copies of the last: they bounce back alike
-  template <int W> struct Tail {
-    int32_t node[W];
-    double q[W];
-    Tail(const std::vector<int32_t> &nodes, const std::vector<double> &fractions, std::size_t k,
-         std::size_t end)
-    {
-      for (int l = 0; l < W; l++, k += k + 1 < end) {
-        node[l] = nodes[k];
-        q[l] = fractions[k];
-      }
-    }
-  };
-
   // the slots that a link along i uses, see lbm_block.h: each is one address per node
   template <class L> struct LinkSlots {
     const typename L::Real *r1, *r2, *r3;

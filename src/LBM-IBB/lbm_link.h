@@ -100,6 +100,20 @@ class Decoder {
   double stride_y, stride_z;
 };
 
+// less than a pack of links, filled with copies of the last: they are treated alike
+template <int W> struct Tail {
+  int32_t node[W];
+  double q[W];
+  Tail(const std::vector<int32_t> &nodes, const std::vector<double> &fractions, std::size_t k,
+       std::size_t end)
+  {
+    for (int l = 0; l < W; l++, k += k + 1 < end) {
+      node[l] = nodes[k];
+      q[l] = fractions[k];
+    }
+  }
+};
+
 // fraction q of the link from node d = x_f - c, outside, along e, where it enters the sphere
 inline double cut(const Vec3 &d, const int (&e)[3], double radius)
 {

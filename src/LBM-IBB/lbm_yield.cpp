@@ -4,8 +4,6 @@
 
 #include "lbm_bounce_back.h"
 
-#include <algorithm>
-
 namespace lbm {
 namespace {
 
@@ -38,21 +36,15 @@ namespace {
     }
   };
 
-  // Calls f(nodes, fractions, n) for packs of links, of which the last may have n < W and copies of
-  // the last link: whatever the packs, the arithmetic of a link is the same.
+  // Calls f(nodes, fractions, n) for packs of links, of which n count: whatever the packs, the
+  // arithmetic of a link is the same.
   template <class F> void in_packs(const Links &links, const LinkGroup &group, F &&f)
   {
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W) f(&links.node[k], &links.q[k], W);
     if (k == group.end) return;
-    int32_t node[W];
-    double q[W];
-    for (int l = 0; l < W; l++) {
-      const std::size_t from = std::min<std::size_t>(k + l, group.end - 1);
-      node[l] = links.node[from];
-      q[l] = links.q[from];
-    }
-    f(node, q, int(group.end - k));
+    const Tail<W> tail(links.node, links.q, k, group.end);
+    f(tail.node, tail.q, int(group.end - k));
   }
 
   double sum(const V &v, int n)
