@@ -70,15 +70,16 @@ template <class V, class T> LBM_INLINE inline void store(T *p, const V &v)
   std::memcpy(p, &v, sizeof(V));
 }
 
-// v where owner < 0 (fluid), else 0
-template <int W, class V> LBM_INLINE inline V where_fluid(const PackInt<W> &owner, const V &v)
+// v where owner < 0 (fluid), else the other
+template <int W, class V>
+LBM_INLINE inline V where_fluid(const PackInt<W> &owner, const V &v, const V &other = V{})
 {
   if constexpr (W == 1) {
-    return owner < 0 ? v : V{};
+    return owner < 0 ? v : other;
   } else {
     using Mask = Pack<W, std::conditional_t<sizeof(V) == W * sizeof(float), int32_t, int64_t>>;
     const Mask fluid = __builtin_convertvector(owner < 0, Mask);
-    return fluid ? v : V{};
+    return fluid ? v : other;
   }
 }
 
