@@ -198,10 +198,12 @@ void FixLbIbb::find_variables()
 // every rank needs a brick of nodes, whose neighbours are bricks of the same width and height
 void FixLbIbb::check_cut()
 {
-  if (comm->style != Comm::BRICK || comm->layout == Comm::LAYOUT_TILED)
+  if (comm->layout == Comm::LAYOUT_TILED)
     error->all(FLERR,
-               "Fix lb/ibb needs comm_style brick: the fluid has one neighbour across every face; "
-               "balance with style shift, not rcb");
+               "Fix lb/ibb needs sub-domains in rows and columns, not those of balance rcb: the "
+               "fluid has one neighbour across every face; balance with style shift");
+  if (comm->style == Comm::TILED && !force->newton)
+    error->all(FLERR, "Fix lb/ibb: comm_style tiled needs newton on; or use comm_style brick");
   const lbm::Int3 n = fields->n();
   int empty = n[0] < 1 || n[1] < 1 || n[2] < 1, any;
   MPI_Allreduce(&empty, &any, 1, MPI_INT, MPI_MAX, world);

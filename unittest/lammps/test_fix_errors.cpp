@@ -225,7 +225,9 @@ TEST_F(Refusals, Scenes)
   EXPECT_IN(with("change_box all x final 0 1.3e-3"),
             "the box has changed since the fix was defined");
   EXPECT_IN(with("change_box all boundary f p p"), "boundary command was used after");
-  EXPECT_IN(with("comm_style tiled"), "needs comm_style brick");
+  start();
+  EXPECT_ERROR("newton off\n" + sphere + "\ncomm_style tiled" + fluid() + run(1),
+               "comm_style tiled needs newton on");
   start();
   std::string growing = sphere;
   growing.replace(growing.find("style sphere"), 12, "style sphere 1");

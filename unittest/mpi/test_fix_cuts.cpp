@@ -48,14 +48,21 @@ TEST_F(FluidCuts, BalancedUntilARankHasNoNodes)
                "4 x 1 x 1 ranks are too many for 20 x 12 x 12 lattice nodes: each needs at least");
 }
 
-TEST_F(FluidCuts, TilesAreRefused)
+// tiled messages between the same sub-domains; those of recursive bisection are refused
+TEST_F(FluidCuts, Tiled)
 {
   const std::string scene = box({20, 12, 12}) + grain(1, {6, 6, 6}, 3.6) +
-      grain(2, {15, 6, 6}, 3.6) + fluid("accel 1e-3 0 0") + "\n";
-  const std::string why = "needs comm_style brick: the fluid has one neighbour across every face";
-  EXPECT_ERROR(scene + "comm_style tiled" + run(5), why);
+      grain(2, {19.5, 11.8, 6}, 3.6) + fluid("accel 1e-3 0 0") + "\n";
+  script(scene + run(20));
+  const double flux = out(9), force = out(6);
+  ASSERT_GT(flux, 0.0);
   start();
-  EXPECT_ERROR(scene + "run 5 post no\ncomm_style tiled\nbalance 1.0 rcb", why);
+  script(scene + "comm_style tiled" + run(20));
+  EXPECT_NEAR(out(9), flux, 1e-12 * flux);
+  EXPECT_NEAR(out(6), force, 1e-12 * force);
+  start();
+  EXPECT_ERROR(scene + "run 5 post no\ncomm_style tiled\nbalance 1.0 rcb",
+               "needs sub-domains in rows and columns, not those of balance rcb");
 }
 
 // which LAMMPS would crash on
