@@ -80,6 +80,11 @@ class FixLbIbb : public Fix {
   double spacing() const { return options.dx; }
   double density() const { return options.rho; }
   double viscosity() const { return options.nu; }
+  bool has_wall(int d, int side) const { return options.face[d][side].kind == lbm::FaceKind::WALL; }
+  const lbm::Vec3 &face_velocity(int d, int side) const    // of the last fluid step
+  {
+    return drive.u[d][side];
+  }
   bool has_buoyancy() const { return options.has_buoyancy; }
   const lbm::Vec3 &gravity() const { return drive.buoyancy; }    // of the last fluid step
   double hydrodynamic_radius(int i) const;

@@ -63,6 +63,19 @@ TEST_F(FluidRanks, FreeGrainsThatCollide)
   });
 }
 
+// films between grains, and between grains and the floor, which they creep towards
+TEST_F(FluidRanks, FilmsBetweenGrains)
+{
+  compare([&](const std::string &brick) {
+    return box({18, 12, 12}, "p p f", brick) + grain(1, {4.5, 6, 3.1}, 3, {1e-3, 0, -1e-3}) +
+        grain(2, {10.7, 6.2, 3.2}, 3, {-2e-3, 0, 0}) +
+        grain(3, {7.5, 6.3, 8.3}, 2.5, {1e-3, 2e-3, -3e-3}) +
+        "\npair_style lubricate/lb/ibb 2e-6\npair_coeff * *\nset group all omega 1 2 3"
+        "\nfix m all nve/sphere\ntimestep 2e-5" +
+        fluid("every 50 face zlo wall 1e-3 0 0 face zhi wall") + run(400);
+  });
+}
+
 // LAMMPS sizes its buffers for ghosts' forces by newton on: the bed lies on the lowest rank alone, so
 // that one sends more than it gets
 TEST_F(FluidRanks, NewtonOff)
