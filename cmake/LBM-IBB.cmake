@@ -70,12 +70,23 @@ function(lbmibb_add_to_lammps)
   target_link_libraries(lbmibb_headers INTERFACE $<IF:$<BOOL:${BUILD_MPI}>,MPI::MPI_CXX,mpi_stubs>
     $<$<BOOL:${BUILD_OMP}>:OpenMP::OpenMP_CXX>)
 
+  # for fix lb/ibb/vtk, which compresses its files where there is zlib
+  find_package(ZLIB)
+  if(ZLIB_FOUND)
+    target_link_libraries(lbmibb_headers INTERFACE ${ZLIB_LIBRARIES})
+    target_link_libraries(lammps PRIVATE ${ZLIB_LIBRARIES})
+  endif()
+
   # The solver core includes no LAMMPS header: compiled once, used by LAMMPS and by the
   # core's unit tests, which link without LAMMPS.
   if(core)
     add_library(lbmibb_core OBJECT ${core})
     target_link_libraries(lbmibb_core PUBLIC lbmibb_headers)
     target_compile_options(lbmibb_core PRIVATE -Wall -Wextra)
+    if(ZLIB_FOUND)
+      target_compile_definitions(lbmibb_core PRIVATE LBMIBB_ZLIB)
+      target_include_directories(lbmibb_core SYSTEM PRIVATE ${ZLIB_INCLUDE_DIRS})
+    endif()
     target_sources(lammps PRIVATE $<TARGET_OBJECTS:lbmibb_core>)
   else()    # a core of headers only
     add_library(lbmibb_core INTERFACE)
