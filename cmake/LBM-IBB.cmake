@@ -13,80 +13,26 @@
 #   LBMIBB_PCH         ON | OFF    precompiled header for LAMMPS: saves compile time
 
 option(PKG_LBM-IBB "Build LBM-IBB Package" ON)
-set(LBMIBB_ARCH native CACHE STRING
-  "Processor for LBM-IBB's sources: native (this machine), none (any machine), or a -march= value")
-set(LBMIBB_CXX_FLAGS "-O3 -fno-math-errno -fno-trapping-math" CACHE STRING "Optimisation flags for LBM-IBB's sources")
 option(LBMIBB_PCH "Compile LAMMPS with a precompiled header" OFF)
 
-get_filename_component(LBMIBB_SRC "${CMAKE_CURRENT_LIST_DIR}/../src/LBM-IBB" ABSOLUTE)
-
-# Flags for our sources alone; LAMMPS's own keep what the user chose.
-# Eigen's alignment, and with it the layout of our classes, would depend on -march, while
-# LAMMPS's sources that see our headers are compiled without it: 16 bytes is what both get.
-function(lbmibb_flags result)
-  include(CheckCXXCompilerFlag)
-  separate_arguments(flags UNIX_COMMAND "${LBMIBB_CXX_FLAGS}")
-  if(LBMIBB_ARCH AND NOT LBMIBB_ARCH STREQUAL "none")
-    string(MAKE_C_IDENTIFIER "LBMIBB_HAVE_MARCH_${LBMIBB_ARCH}" have)
-    check_cxx_compiler_flag("-march=${LBMIBB_ARCH}" ${have})
-    if(${have})
-      list(APPEND flags "-march=${LBMIBB_ARCH}")
-    elseif(LBMIBB_ARCH STREQUAL "native")
-      message(WARNING "LBM-IBB: the compiler has no -march=native; set LBMIBB_ARCH for full speed")
-    else()
-      message(FATAL_ERROR "LBM-IBB: the compiler refuses -march=${LBMIBB_ARCH} (LBMIBB_ARCH)")
-    endif()
-  endif()
-  # a debug build is for debuggers: leave its code as written
-  set(${result} "$<$<NOT:$<CONFIG:Debug>>:${flags}>" PARENT_SCOPE)
-  list(JOIN flags " " shown)
-  message(STATUS "LBM-IBB: flags ${shown}")
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/sources.cmake")
 
 # Runs at the end of LAMMPS's CMakeLists.txt.
 function(lbmibb_add_to_lammps)
   if(NOT PKG_GRANULAR)
     message(FATAL_ERROR "Package LBM-IBB needs package GRANULAR: add -D PKG_GRANULAR=ON")
   endif()
-  find_path(LBMIBB_EIGEN_DIR Eigen/Core HINTS ENV EIGEN3_INCLUDE_DIR ENV EIGEN3_ROOT
-    PATH_SUFFIXES eigen3 include/eigen3 DOC "Folder with Eigen/Core")
-  if(NOT LBMIBB_EIGEN_DIR)
-    message(FATAL_ERROR "Package LBM-IBB needs the Eigen 3 headers: install libeigen3-dev, "
-      "or name the folder that holds Eigen/Core with -D LBMIBB_EIGEN_DIR=")
+  lbmibb_add_sources()
+  if(ZLIB_FOUND)
+    target_link_libraries(lammps PRIVATE ${ZLIB_LIBRARIES})
   endif()
-
-  lbmibb_flags(flags)
-  file(GLOB core CONFIGURE_DEPENDS "${LBMIBB_SRC}/lbm_*.cpp")
-  file(GLOB adapter CONFIGURE_DEPENDS "${LBMIBB_SRC}/[^.]*.cpp")
-  list(REMOVE_ITEM adapter ${core} "")
-
-  # What it takes to compile our sources, or to include our headers.
-  add_library(lbmibb_headers INTERFACE)
-  target_compile_features(lbmibb_headers INTERFACE cxx_std_17)
-  target_compile_options(lbmibb_headers INTERFACE "${flags}")
-  target_compile_definitions(lbmibb_headers INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
-  target_include_directories(lbmibb_headers INTERFACE "${LBMIBB_SRC}")
-  target_include_directories(lbmibb_headers SYSTEM INTERFACE "${LBMIBB_EIGEN_DIR}")
-  target_link_libraries(lbmibb_headers INTERFACE $<IF:$<BOOL:${BUILD_MPI}>,MPI::MPI_CXX,mpi_stubs>
-    $<$<BOOL:${BUILD_OMP}>:OpenMP::OpenMP_CXX>)
-
-  # The solver core includes no LAMMPS header: compiled once, used by LAMMPS and by the
-  # core's unit tests, which link without LAMMPS.
-  if(core)
-    add_library(lbmibb_core OBJECT ${core})
-    target_link_libraries(lbmibb_core PUBLIC lbmibb_headers)
-    target_compile_options(lbmibb_core PRIVATE -Wall -Wextra)
-    target_sources(lammps PRIVATE $<TARGET_OBJECTS:lbmibb_core>)
-  else()    # a core of headers only
-    add_library(lbmibb_core INTERFACE)
-    target_link_libraries(lbmibb_core INTERFACE lbmibb_headers)
-  endif()
+  target_sources(lammps PRIVATE $<TARGET_OBJECTS:lbmibb_core>)
 
   # Fixes, pair styles and the like are sources of LAMMPS itself.  A precompiled header
   # made with other -m flags is of no use to them.
-  target_sources(lammps PRIVATE ${adapter})
-  set_source_files_properties(${adapter} TARGET_DIRECTORY lammps PROPERTIES
-    COMPILE_OPTIONS "${flags}" COMPILE_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16
+  target_sources(lammps PRIVATE ${LBMIBB_ADAPTER})
+  set_source_files_properties(${LBMIBB_ADAPTER} TARGET_DIRECTORY lammps PROPERTIES
+    COMPILE_OPTIONS "${LBMIBB_FLAGS}" COMPILE_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16
     SKIP_PRECOMPILE_HEADERS ON)
 
   # LAMMPS's sources see our style headers through a link in the build folder: their command

@@ -41,7 +41,7 @@ for file in *.cpp *.h; do
   test -f ${file} && action $file
 done
 
-# edit the 2 Makefile.package files: Eigen's headers, and the compiler flags of our own files;
+# edit the 2 Makefile.package files: Eigen's headers, zlib, and the compiler flags of our own files;
 # Makefile.lammps in this folder has both
 
 if (test $mode = 1) then
@@ -49,6 +49,7 @@ if (test $mode = 1) then
   if (test -e ../Makefile.package) then
     sed -i -e 's/[^ \t]*lbm_ibb[^ \t]* //' ../Makefile.package
     sed -i -e 's|^PKG_SYSINC =[ \t]*|&$(lbm_ibb_SYSINC) |' ../Makefile.package
+    sed -i -e 's|^PKG_SYSLIB =[ \t]*|&$(lbm_ibb_SYSLIB) |' ../Makefile.package
   fi
 
   if (test -e ../Makefile.package.settings) then

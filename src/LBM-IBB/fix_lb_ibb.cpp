@@ -293,6 +293,17 @@ void *FixLbIbb::get_griddata_by_index(int index)
   return fields->compute(index, *fluid, units);
 }
 
+lbm::Part FixLbIbb::own_nodes() const
+{
+  return {fields->lo(), fields->n()};
+}
+
+std::vector<float> FixLbIbb::sample(int field, const lbm::Sample &which)
+{
+  take_survey();
+  return fields->sample(field, which, *fluid, units);
+}
+
 double FixLbIbb::memory_usage()
 {
   return (fluid ? fluid->bytes() : 0.0) + fields->memory_usage() +

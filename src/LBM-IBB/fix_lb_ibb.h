@@ -25,6 +25,7 @@ FixStyle(lb/ibb,FixLbIbb);
 
 namespace lbm {
 class MpiNeighbours;
+struct Sample;
 }
 
 namespace LAMMPS_NS {
@@ -89,6 +90,11 @@ class FixLbIbb : public Fix {
   const lbm::Vec3 &gravity() const { return drive.buoyancy; }    // of the last fluid step
   double hydrodynamic_radius(int i) const;
   std::vector<lbm::Layer> profile(int axis, int width);    // in layers of width nodes
+
+  // for fix lb/ibb/vtk: nodes of this rank, and a field (see get_griddata_by_name()) at some of
+  // them; the latter is collective, and stops for what no output may show
+  lbm::Part own_nodes() const;
+  std::vector<float> sample(int field, const lbm::Sample &which);
 
  private:
   LBOptions options;

@@ -101,7 +101,7 @@ void FixLbIbb::check_scene()
   if (group->count(igroup) > 0 && !(atom->radius_flag && atom->omega_flag && atom->torque_flag))
     error->all(FLERR, "Fix lb/ibb: grains need radius, omega and torque: use atom_style sphere");
 
-  for (const char *style : {"^lb/ibb", "^lb/fluid"})
+  for (const char *style : {"^lb/ibb$", "^lb/fluid"})
     for (auto *other : modify->get_fix_by_style(style))
       if (other != this)
         error->all(FLERR, "Fix lb/ibb: only one fluid can fill the box: unfix {} or {}", id,

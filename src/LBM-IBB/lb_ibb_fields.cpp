@@ -16,6 +16,8 @@
 #include "grid3d.h"
 #include "memory.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 
 namespace {
@@ -134,26 +136,48 @@ int LBFields::find(const std::string &name, int &ncol)
   return -1;
 }
 
+// at a node counted from the first of this rank
+template <class Real>
+static void evaluate(int index, const lbm::Fluid &fluid, const lbm::Units &units, int x, int y,
+                     int z, Real *value)
+{
+  const bool solid = fluid.solid(x, y, z);
+  if (index == SOLID) {
+    *value = solid;
+    return;
+  }
+  const lbm::Moments m = solid ? lbm::Moments{0.0, {}} : fluid.moments(x, y, z);
+  if (index == DENSITY) *value = Real(units.rho * (1.0 + m.drho));
+  if (index == PRESSURE) *value = Real(units.gauge_pressure(m.drho));
+  if (index == VELOCITY)
+    for (int d = 0; d < 3; d++) value[d] = Real(m.u[d] * units.velocity());
+}
+
 void *LBFields::compute(int index, const lbm::Fluid &fluid, const lbm::Units &units)
 {
   auto &field = fields[index];
   if (!field) field = std::make_unique<Field>(memory, lo_, n_, grid2 ? 2 : 3, NAMES[index].ncol);
   for (int z = 0; z < n_[2]; z++)
     for (int y = 0; y < n_[1]; y++)
-      for (int x = 0; x < n_[0]; x++) {
-        double *value = field->at(lo_[0] + x, lo_[1] + y, lo_[2] + z);
-        const bool solid = fluid.solid(x, y, z);
-        if (index == SOLID) {
-          *value = solid;
-          continue;
-        }
-        const lbm::Moments m = solid ? lbm::Moments{0.0, {}} : fluid.moments(x, y, z);
-        if (index == DENSITY) *value = units.rho * (1.0 + m.drho);
-        if (index == PRESSURE) *value = units.gauge_pressure(m.drho);
-        if (index == VELOCITY)
-          for (int d = 0; d < 3; d++) value[d] = m.u[d] * units.velocity();
-      }
+      for (int x = 0; x < n_[0]; x++)
+        evaluate(index, fluid, units, x, y, z, field->at(lo_[0] + x, lo_[1] + y, lo_[2] + z));
   return field->data();
+}
+
+std::vector<float> LBFields::sample(int index, const lbm::Sample &which, const lbm::Fluid &fluid,
+                                    const lbm::Units &units) const
+{
+  const lbm::Part part = which.within({lo_, n_});
+  const int columns = std::max(1, NAMES[index].ncol);
+  std::vector<float> values(part.nodes() * columns);
+  float *next = values.data();
+  for (int k = 0; k < part.n[2]; k++)
+    for (int j = 0; j < part.n[1]; j++)
+      for (int i = 0; i < part.n[0]; i++, next += columns) {
+        const auto node = which.node(part.lo[0] + i, part.lo[1] + j, part.lo[2] + k);
+        evaluate(index, fluid, units, node[0] - lo_[0], node[1] - lo_[1], node[2] - lo_[2], next);
+      }
+  return values;
 }
 
 double LBFields::memory_usage() const

@@ -14,12 +14,14 @@
 #ifndef LMP_LB_IBB_FIELDS_H
 #define LMP_LB_IBB_FIELDS_H
 
+#include "lbm_sample.h"
 #include "lbm_solver.h"
 #include "lbm_units.h"
 #include "pointers.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -39,6 +41,9 @@ class LBFields : protected Pointers {
   static int find(const std::string &name, int &ncol);
   // compute a field, in LAMMPS's layout; physical units
   void *compute(int index, const lbm::Fluid &fluid, const lbm::Units &units);
+  // of some of this rank's nodes, x fastest, without keeping it
+  std::vector<float> sample(int index, const lbm::Sample &which, const lbm::Fluid &fluid,
+                            const lbm::Units &units) const;
   double memory_usage() const;
 
  private:

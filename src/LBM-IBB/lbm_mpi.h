@@ -4,7 +4,11 @@
 #ifndef LBM_MPI_H
 #define LBM_MPI_H
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <string>
 
 #ifndef OMPI_SKIP_MPICXX
@@ -70,6 +74,7 @@ class File {
   File &operator=(const File &) = delete;
 
   MPI_File handle() const { return file_; }
+  MPI_Comm comm() const { return comm_; }
   void keep(int code)
   {
     if (code_ == MPI_SUCCESS) code_ = code;
@@ -99,6 +104,62 @@ class File {
   MPI_File file_ = MPI_FILE_NULL;
   bool open_ = false;
   int code_ = MPI_SUCCESS;
+};
+
+// A file written aside, as NAME.part, and renamed when it is complete: NAME is whole at any moment.
+class NewFile : public File {
+ public:
+  NewFile(const std::string &name, MPI_Comm comm) :
+      File(cleared(name + ".part", comm), MPI_MODE_CREATE | MPI_MODE_WRONLY, comm), name_(name)
+  {
+  }
+
+  // what one rank has, of any size
+  void write(std::int64_t at, const void *from, std::int64_t bytes)
+  {
+    constexpr std::int64_t MOST = std::int64_t(1) << 30;
+    for (std::int64_t done = 0; done < bytes; done += MOST) {
+      const int now = int(std::min(MOST, bytes - done));
+      MPI_Status status;
+      const int code = MPI_File_write_at(
+          handle(), at + done, static_cast<const char *>(from) + done, now, MPI_BYTE, &status);
+      keep(code, status, now);
+    }
+  }
+
+  // collective; why it has not become a file of so many bytes, "" if it has
+  std::string finish(std::int64_t bytes)
+  {
+    const std::string aside = name_ + ".part";
+    int me;
+    MPI_Comm_rank(comm(), &me);
+    keep(MPI_File_sync(handle()));
+    const std::int64_t got = size();
+    close();
+    std::string why = error();
+    if (why.empty() && got != bytes)
+      why = "there was room for " + std::to_string(got) + " of " + std::to_string(bytes) + " bytes";
+    if (!why.empty()) {
+      if (me == 0) std::remove(aside.c_str());
+      return "cannot write " + aside + ": " + why;
+    }
+    if (me == 0 && std::rename(aside.c_str(), name_.c_str()) != 0)
+      why = "cannot rename " + aside + " to " + name_ + ": " + std::strerror(errno);
+    return agreed(why, comm());
+  }
+
+ private:
+  std::string name_;
+
+  // nothing is left of an older one that may have been longer
+  static std::string cleared(const std::string &aside, MPI_Comm comm)
+  {
+    int me;
+    MPI_Comm_rank(comm, &me);
+    if (me == 0) std::remove(aside.c_str());
+    MPI_Barrier(comm);
+    return aside;
+  }
 };
 
 }    // namespace lbm

@@ -5,8 +5,6 @@
 #include "lbm_mpi.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
 
 namespace lbm {
@@ -133,20 +131,12 @@ std::string write_state(const std::string &name, const Fluid &fluid, const State
   const std::vector<Trace> grains(spheres.begin(), spheres.end());
   int me;
   MPI_Comm_rank(comm, &me);
-  const std::string aside = name + ".part";
-  if (me == 0) std::remove(aside.c_str());
-  MPI_Barrier(comm);
-  File file(aside, MPI_MODE_CREATE | MPI_MODE_WRONLY, comm);
-  std::string why = file.error();
-  if (!why.empty()) return "cannot open " + aside + ": " + why;
+  NewFile file(name, comm);
+  const std::string why = file.error();
+  if (!why.empty()) return "cannot open " + name + ".part: " + why;
   if (me == 0) {
-    MPI_Status status;
-    int code = MPI_File_write_at(file.handle(), 0, &h, sizeof h, MPI_BYTE, &status);
-    file.keep(code, status, sizeof h);
-    const Type sphere(sizeof(Trace));
-    code = MPI_File_write_at(file.handle(), sizeof h, grains.data(), int(grains.size()),
-                             sphere.handle(), &status);
-    file.keep(code, status, std::int64_t(sizeof(Trace)) * h.spheres);
+    file.write(0, &h, sizeof h);
+    file.write(sizeof h, grains.data(), std::int64_t(sizeof(Trace)) * h.spheres);
   }
   const std::int64_t bytes = bytes_of_node(h);
   const Type node{int(bytes)};
@@ -158,20 +148,7 @@ std::string write_state(const std::string &name, const Fluid &fluid, const State
         MPI_File_write_all(file.handle(), buffer, int(piece.nodes()), node.handle(), &status);
     file.keep(code, status, bytes * piece.nodes());
   });
-  file.keep(MPI_File_sync(file.handle()));
-  const std::int64_t size = file.size();
-  file.close();
-  why = file.error();
-  if (why.empty() && size != bytes_of_file(h))
-    why = "there was room for " + std::to_string(size) + " of " + std::to_string(bytes_of_file(h)) +
-        " bytes";
-  if (!why.empty()) {
-    if (me == 0) std::remove(aside.c_str());
-    return "cannot write " + aside + ": " + why;
-  }
-  if (me == 0 && std::rename(aside.c_str(), name.c_str()) != 0)
-    why = "cannot rename " + aside + " to " + name + ": " + std::strerror(errno);
-  return agreed(why, comm);
+  return file.finish(bytes_of_file(h));
 }
 
 std::string read_state(const std::string &name, Fluid &fluid, const StateHeader &h, MPI_Comm comm)

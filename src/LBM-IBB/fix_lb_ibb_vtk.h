@@ -1,0 +1,73 @@
+/* -*- c++ -*- ----------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+   This software is distributed under the GNU General Public License,
+   version 2.
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+#ifdef FIX_CLASS
+// clang-format off
+FixStyle(lb/ibb/vtk,FixLbIbbVtk);
+// clang-format on
+#else
+
+#ifndef LMP_FIX_LB_IBB_VTK_H
+#define LMP_FIX_LB_IBB_VTK_H
+
+#include "fix.h"
+
+#include "lbm_sample.h"
+#include "lbm_vtk.h"
+#include "lbm_vtk_series.h"
+
+#include <memory>
+
+namespace LAMMPS_NS {
+
+// Series of files of fluid and grains for ParaView. A fix and no dump: it has to know after a
+// restart that it goes on, and styles of dumps cannot come with a plugin.
+class FixLbIbbVtk : public Fix {
+ public:
+  FixLbIbbVtk(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void end_of_step() override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  std::string fluid_id, prefix, region_id;
+  class FixLbIbb *fluid;
+  struct Field {
+    std::string name;
+    int index, columns;    // as fix lb/ibb has them
+  };
+  std::vector<Field> fields;
+  bool has_grains;
+  int stride;
+  lbm::VtkEncoding encoding;
+  std::unique_ptr<lbm::VtkSeries> fluid_series, grain_series;
+  bool goes_on;      // the restart file that was read had this fix in it
+  bigint written;    // last step that was
+  lbm::Sample nodes;
+  double lo[3], hi[3];    // what the region reaches over
+
+  void parse(int narg, char **arg);
+  int parse_fields(int iarg, int narg, char **arg);
+  [[noreturn]] void refuse(int iarg, const std::string &why);
+  void find_fluid();
+  void check_interval();
+  void choose_nodes();
+  double now() const;
+  void write();
+  void write_fluid();
+  void write_grains();
+  void list(lbm::VtkSeries &series, const std::string &why);
+};
+
+}    // namespace LAMMPS_NS
+#endif
+#endif
