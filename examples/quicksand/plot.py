@@ -3,7 +3,8 @@
 
 Reads NAME.dat, NAME-grains-{before,after}.png and NAME-water-{before,after}.grid as in.quicksand
 writes them. Makes NAME-{before,after}.png, grains with a vertical slice of the water beside them,
-and NAME.png, the rise of the bed against the gradient. Of figure.sh: snapshots.png, onset.png.
+NAME.png, the rise of the bed against the gradient, and NAME.html, one page of all (page.py). Of figure.sh:
+snapshots.png, onset.png.
 """
 import glob
 import sys
@@ -11,6 +12,8 @@ import numpy as np
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+
+import page
 
 
 def read_grid(name):
@@ -117,3 +120,4 @@ if __name__ == "__main__":
         curve(name)
         for when in "before", "after":
             draw(name, when)
+        page.page(name)

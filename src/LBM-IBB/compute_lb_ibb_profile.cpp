@@ -109,7 +109,9 @@ void ComputeLbIbbProfile::parse_keywords(int iarg, int narg, char **arg)
     const std::string name = arg[iarg];
     if (name != "gravity" && name != "critical")
       error->all(FLERR, iarg,
-                 "Compute lb/ibb/profile: unknown keyword '{}'; known are gravity, critical", name);
+                 "Compute lb/ibb/profile: unknown keyword '{}'; known are gravity, critical (see "
+                 "doc/src/compute_lb_ibb_profile.rst)",
+                 name);
     if (iarg + 1 >= narg) utils::missing_cmd_args(FLERR, "compute lb/ibb/profile " + name, error);
     if ((name == "gravity" && has_gravity) || (name == "critical" && has_critical))
       error->all(FLERR, iarg, "Compute lb/ibb/profile: {} is given twice: remove one of them",

@@ -237,7 +237,8 @@ void FixLbIbb::create_fluid()
   s.ledger = options.conserve;
   // a single message for what no user can mend but by other numbers
   for (const auto &finding : lbm::review({units, options.nu, nevery, 0.0, 0.0, 0.0}))
-    if (finding.fatal) error->all(FLERR, "Fix lb/ibb: {}", finding.text);
+    if (finding.fatal)
+      error->all(FLERR, "Fix lb/ibb: {} (see doc/src/Howto_lbm_ibb.rst)", finding.text);
   fluid.reset();    // it refers to the neighbours, and two fluids may not fit into memory
   neighbours = std::make_unique<lbm::MpiNeighbours>(world, rank);
   try {
@@ -310,7 +311,8 @@ void FixLbIbb::review_setup()
         "larger than 0",
         plan.smallest_radius, options.shrink);
   for (const auto &finding : lbm::review(plan)) {
-    if (finding.fatal) error->all(FLERR, "Fix lb/ibb: {}", finding.text);
+    if (finding.fatal)
+      error->all(FLERR, "Fix lb/ibb: {} (see doc/src/Howto_lbm_ibb.rst)", finding.text);
     if (comm->me == 0) error->warning(FLERR, "Fix lb/ibb: {}", finding.text);
   }
   print_summary(plan.smallest_radius, largest, now.pressure_difference);

@@ -209,5 +209,6 @@ void FixLbIbb::stop(const Int3 &node, const std::string &what, double drho, doub
         "Nearest grain: {}, surface {:.3g} cells away, radius {:.3g} cells, density "
         "{:.3g} rho, speed {:.4g}. ",
         (tagint) grain.id, grain.gap, grain.radius, grain.density, grain.speed * units.velocity());
-  error->all(FLERR, "{}tau = {:.4f}. Likely cause: {}", text, tau, likely_cause(node, grain));
+  error->all(FLERR, "{}tau = {:.4f}. Likely cause: {} (see doc/src/Howto_lbm_ibb.rst)", text, tau,
+             likely_cause(node, grain));
 }

@@ -66,7 +66,9 @@ FixWallGranLSDCoulomb::FixWallGranLSDCoulomb(LAMMPS *lmp, int narg, char **arg) 
     else if (strcmp(arg[iarg], "shear") == 0 || strcmp(arg[iarg], "wiggle") == 0)
       iarg = parse_motion(iarg, narg, arg);
     else
-      error->all(FLERR, "{}: unknown keyword {}, known are offset, limit_damping, shear and wiggle",
+      error->all(FLERR,
+                 "{}: unknown keyword {}, known are offset, limit_damping, shear and wiggle (see "
+                 "doc/src/fix_wall_gran_lsd_coulomb.rst)",
                  STYLE, arg[iarg]);
   }
 

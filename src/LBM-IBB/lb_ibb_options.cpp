@@ -30,7 +30,7 @@ LBOptionsParser::LBOptionsParser(LAMMPS *lmp, int narg_, char **arg_) :
 
 void LBOptionsParser::refuse(int at, const std::string &why) const
 {
-  error->all(FLERR, at, "Fix lb/ibb keyword {}: {}", arg[at], why);
+  error->all(FLERR, at, "Fix lb/ibb keyword {}: {} (see doc/src/fix_lb_ibb.rst)", arg[at], why);
 }
 
 LBOptions LBOptionsParser::parse()
@@ -128,7 +128,8 @@ void LBOptionsParser::keyword()
     face();
   } else {
     error->all(FLERR, iarg,
-               "Fix lb/ibb: unknown keyword '{}'; known are every, collision, precision, link, "
+               "Fix lb/ibb (see doc/src/fix_lb_ibb.rst): unknown keyword '{}'; known are every, "
+               "collision, precision, link, "
                "refill, face, accel, gradp, buoyancy, shrink, average, conserve, "
                "coupling, check, restart",
                name);

@@ -59,8 +59,10 @@ void PairGranLSDCoulomb::settings(int narg, char **arg)
 
   for (int iarg = 0; iarg < narg; iarg += 2)
     if (!GranLSDMaterial::parse_option(lmp, STYLE, narg, arg, iarg, offset, limit_damping, given))
-      error->all(FLERR, "{}: unknown keyword {}, known are offset and limit_damping", STYLE,
-                 arg[iarg]);
+      error->all(FLERR,
+                 "{}: unknown keyword {}, known are offset and limit_damping (see "
+                 "doc/src/pair_gran_lsd_coulomb.rst)",
+                 STYLE, arg[iarg]);
 
   // intervals of neighbor multi know the radii only: with an offset have the
   // cutoffs of the types used instead
