@@ -181,6 +181,9 @@ void LBPlan::define(const lbm::Advice &a, const Cost &c)
       error->all(FLERR,
                  "lb/plan: variable {} is there and of another style: delete it, or use prefix",
                  full);
-    variable->set(fmt::format("{} internal {:.17g}", full, value));
+    if (there >= 0)    // "variable internal" would not change it
+      variable->internal_set(there, value);
+    else
+      variable->set(fmt::format("{} internal {:.17g}", full, value));
   }
 }

@@ -225,6 +225,14 @@ namespace {
                     : UNKNOWN_SHARE;
         Limit limit = soft_limits(share);
         limit.lower(step_of(TAU_BEST) / dx, print("relaxation time %g", TAU_BEST));
+        if (w.contact > 0.0 && limit.slope * dx > EVERY_WARN * w.contact) {
+          const double softer = limit.slope * dx / w.contact / 100.0;
+          a.notes.push_back(print("%s would allow %.4g granular steps per fluid step; a contact "
+                                  "stiffness %.3g times smaller would need 100 of them",
+                                  limit.name.c_str(), 100.0 * softer, softer * softer));
+          limit.lower(EVERY_WARN * w.contact / dx,
+                      print("%d granular steps per fluid step", EVERY_WARN));
+        }
         const double lowest = step_of(TAU_LOW) / dx;
         if (limit.slope < lowest) {
           a.notes.push_back(print("%s would ask for tau = %.5g: less than %g is not stable",

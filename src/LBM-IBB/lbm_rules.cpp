@@ -95,7 +95,7 @@ namespace {
 
   void review_every(const Plan &p, std::vector<Finding> &found)
   {
-    if (p.every > 1000)
+    if (p.every > EVERY_WARN)
       found.push_back({false,
                        print("every %d: more than 1000 granular steps per fluid step; a contact "
                              "stiffness %.3g times smaller would need 100",

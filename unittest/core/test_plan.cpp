@@ -110,6 +110,20 @@ TEST(Plan, GranularStepsFillTheFluidStep)
   EXPECT_EQ(advise(w, table()).every, 4);
 }
 
+// contacts of 1 us: 3333 steps would fill it, 1000 are enough, and 1111 times softer ones need 100
+TEST(Plan, NoMoreGranularStepsThanTheFixTakes)
+{
+  Wish w = wish();
+  w.dx = 1e-4;
+  w.contact = 1e-6;
+  const Advice a = advise(w, table());
+  EXPECT_EQ(a.every, 1000);
+  EXPECT_NEAR(a.units.dt, 1e-3, 1e-12);
+  ASSERT_EQ(a.notes.size(), 1u);
+  EXPECT_NE(a.notes[0].find("3333 granular steps"), std::string::npos) << a.notes[0];
+  EXPECT_NE(a.notes[0].find("1.11e+03 times smaller"), std::string::npos) << a.notes[0];
+}
+
 // ten times as fast: Ma <= .1 gives u dt/dx = .1/sqrt(3), its share of the error
 // .0144/4 = (u dt/dx)^2 gives .06, more; so the Mach number binds. At 8 cells per radius the share is .00140625, and binds
 TEST(Plan, MachNumberOrItsErrorBinds)
