@@ -46,7 +46,7 @@ void LBPlan::command(int n, char **words)
 
   std::string why;
   const lbm::Accuracy accuracy = read_accuracy(lmp, why);
-  if (wish.quantity.empty()) wish.quantity = wish.fraction >= 0.3 ? "permeability" : "drag";
+  if (wish.quantity.empty()) wish.quantity = wish.fraction >= lbm::DENSE ? "permeability" : "drag";
   const bool known = wish.dimension == 3 && accuracy.knows(wish.quantity);
   if (!known && (has("error") || has("quantity"))) {
     if (wish.dimension == 2) why = "the errors known are those of spheres";

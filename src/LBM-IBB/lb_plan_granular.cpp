@@ -51,7 +51,7 @@ double LAMMPS_NS::seconds_of_granular_step(LAMMPS *lmp, double grains)
                                        "timestep 1.0e-4\n"
                                        "fix move all nve/sphere{5}\n"
                                        "fix weight all gravity 1.0e-9 vector 0 -1 0\n"
-                                       "run 20 post no",
+                                       "run 3 post no",
                                        D, D == 2 ? "sq" : "sc", n, high,
                                        D == 2 ? "density/disc" : "density", D == 2 ? " disc" : ""));
   std::string line;
@@ -64,6 +64,6 @@ double LAMMPS_NS::seconds_of_granular_step(LAMMPS *lmp, double grains)
     MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
     return seconds;
   };
-  const double seconds = timed((int) std::clamp(BUDGET / timed(20), 10.0, 5000.0));
+  const double seconds = timed((int) std::clamp(BUDGET / timed(3), 3.0, 5000.0));
   return seconds * std::max(1.0, grains / std::pow(n, D));
 }

@@ -168,6 +168,7 @@ void LBPlan::define(const lbm::Advice &a, const Cost &c)
       {"mach", a.mach},
       {"excess", a.excess},
       {"error", a.error()},
+      {"lattice", a.grid_error},
       {"diffusion", a.diffusion},
       {"steps", a.fluid_steps * a.every},
       {"nodes", double(a.nodes[0]) * a.nodes[1] * a.nodes[2]},

@@ -63,7 +63,7 @@ namespace {
     void estimate()
     {
       a.permeability = w.permeability;
-      if (a.permeability == 0.0 && w.dimension == 3 && w.fraction > 0.0)
+      if (a.permeability == 0.0 && w.dimension == 3 && w.fraction >= DENSE)
         a.permeability = carman_kozeny(2.0 * w.mean, w.fraction);
       a.speed = w.speed;
       const bool bed = w.fraction > 0.0 && w.height > 0.0 && a.permeability > 0.0;
@@ -201,7 +201,9 @@ namespace {
         const double slope = step_of(TAU_LOW) / dx;
         std::string other;
         if (hard.name.compare(0, 4, "Mach") == 0)
-          other = print("speed <= %.6g", MACH_WARN / (std::sqrt(3.0) * slope));
+          other =
+              print("speed <= %.6g%s", MACH_WARN / (std::sqrt(3.0) * slope),
+                    w.speed > 0.0 ? "" : print(" (%.4g is estimated: give it)", a.speed).c_str());
         else
           other = print("a pressure <= %.6g", EXCESS_WARN * w.rho / (3.0 * slope * slope));
         return refuse(

@@ -59,6 +59,9 @@ struct Advice {
 
 Advice advise(const Wish &wish, const Accuracy &accuracy);
 
+// fraction of solid from which on grains make a bed
+constexpr double DENSE = 0.3;
+
 // Kozeny 1927, Carman 1937: k = d^2 (1 - phi)^3 / (180 phi^2)
 double carman_kozeny(double diameter, double fraction);
 

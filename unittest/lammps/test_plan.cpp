@@ -145,7 +145,7 @@ TEST_F(Plan, LooksAtTheGrainsThatAreThere)
 {
   const std::string three =
       scene() + grain(1, {5, 5, 5}, 4.0) + grain(2, {14, 5, 5}, 5.0) + grain(3, {5, 14, 8}, 4.5);
-  const std::string rest = " dx 1e-4 pressure 0.5 contact 1e3 0.9 0.4";
+  const std::string rest = " dx 1e-4 speed 0.02 pressure 0.5 contact 1e3 0.9 0.4";
   script(three + plan("group all" + rest));
   const double every = value("lb_every"), mach = value("lb_mach"), error = value("lb_error");
   // from z = 0 to 1.25 mm
