@@ -162,6 +162,7 @@ class FixLbIbb : public Fix {
   void provide_ghosts();
   void create_fluid();
   void print_summary(double smallest, double largest, double pressure_difference);
+  std::string expected_errors(double smallest);
   double largest_radius(double &smallest);
 
   // the step

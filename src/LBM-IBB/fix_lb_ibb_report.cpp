@@ -13,6 +13,7 @@
 
 #include "fix_lb_ibb.h"
 
+#include "lb_ibb_accuracy.h"
 #include "lbm_neighbours_mpi.h"
 
 #include "comm.h"
@@ -22,6 +23,19 @@
 #include "update.h"
 
 using namespace LAMMPS_NS;
+
+// of the coarsest grain; the table was measured with the default rules
+std::string FixLbIbb::expected_errors(double smallest)
+{
+  if (domain->dimension == 2 || options.bgk || options.link != lbm::LinkRule::CLI) return "";
+  std::string why;
+  const lbm::Accuracy accuracy = read_accuracy(lmp, why);
+  if (accuracy.empty()) return fmt::format("  errors to expect are not known: {}\n", why);
+  const double r = smallest / options.dx;
+  return fmt::format(
+      "  errors to expect at {:.3g} cells per radius, from lone grains to dense beds: {}\n",
+      r, accuracy.errors(r));
+}
 
 // what the run will do, what it will cost, and what it leaves out
 void FixLbIbb::print_summary(double smallest, double largest, double pressure_difference)
@@ -61,6 +75,7 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
         options.link == lbm::LinkRule::HALFWAY ? ""
             : options.conserve                 ? "; mass that links swallow given back"
                                                : "; mass that links swallow lost");
+  if (smallest > 0.0) text += expected_errors(smallest);
 
   if (const bigint yielding = light_grains())
     text += fmt::format(

@@ -2,8 +2,7 @@
 
 #include "lbm_rules.h"
 
-#include <cstdarg>
-#include <cstdio>
+#include "lbm_text.h"
 
 namespace lbm {
 namespace {
@@ -13,16 +12,6 @@ namespace {
   double largest_tau(double eps, const Units &units, double nu, double pressure_difference)
   {
     return 0.5 + std::sqrt(3.0 * eps * units.rho / pressure_difference) * nu / units.dx;
-  }
-
-  __attribute__((format(printf, 1, 2))) std::string print(const char *format, ...)
-  {
-    char text[512];
-    va_list args;
-    va_start(args, format);
-    std::vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    return text;
   }
 
   void review_tau(const Plan &p, std::vector<Finding> &found)
@@ -106,7 +95,7 @@ namespace {
 
   void review_every(const Plan &p, std::vector<Finding> &found)
   {
-    if (p.every > 1000)
+    if (p.every > EVERY_WARN)
       found.push_back({false,
                        print("every %d: more than 1000 granular steps per fluid step; a contact "
                              "stiffness %.3g times smaller would need 100",

@@ -21,6 +21,7 @@ constexpr double EXCESS_WARN = 0.05, EXCESS_LIMIT = 0.20;    // of the density
 constexpr double LIGHT_LIMIT = 1.6;
 constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;    // cells per radius, section 4.1
 constexpr double TAU_LOW = 0.51, TAU_HIGH = 3.0;
+constexpr int EVERY_WARN = 1000;    // granular steps per fluid step
 
 // of a speed in lattice units
 inline double mach(double speed)

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-only
+
+#include "lbm_pace.h"
+
+#include "lbm_solver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace lbm {
+namespace {
+
+  constexpr double BUDGET = 0.04;      // seconds for one of the two measurements
+  constexpr double MOST = 400000.0;    // nodes of a block: 58 MiB, beyond the cache of a core
+  constexpr double SPEED = 0.01;       // of the grains; links are found anew however slow they are
+
+  // of a step, the slowest rank's; all ranks make as many
+  template <class Step> double seconds_of(const Step &step, Neighbours &neighbours)
+  {
+    using Clock = std::chrono::steady_clock;
+    auto timed = [&](int times) {
+      const auto start = Clock::now();
+      for (int k = 0; k < times; k++) step();
+      double seconds = std::chrono::duration<double>(Clock::now() - start).count() / times;
+      neighbours.max(&seconds, 1);
+      return seconds;
+    };
+    timed(2);    // memory is touched for the first time, by steps of both parities
+    return timed(int(std::clamp(BUDGET / timed(1), 2.0, 2000.0)));
+  }
+
+  // inside the block, so that no rank has to know those of another
+  std::vector<Sphere> array_of_spheres(const Sample &sample, const Int3 &lo, const Int3 &n)
+  {
+    const int D = sample.dimension;
+    const double r = sample.radius;
+    const double cell = D == 2 ? std::sqrt(M_PI * r * r / sample.fraction)
+                               : std::cbrt(4.0 / 3.0 * M_PI * r * r * r / sample.fraction);
+    const double spacing = std::max(cell, 2.01 * r);    // a simple array cannot be denser
+    Int3 count{1, 1, 1};
+    for (int d = 0; d < D; d++) count[d] = std::max(1, int((n[d] - 2.0 * r - 2.0) / spacing) + 1);
+    std::vector<Sphere> list;
+    for (int z = 0; z < count[2]; z++)
+      for (int y = 0; y < count[1]; y++)
+        for (int x = 0; x < count[0]; x++) {
+          const Int3 at{x, y, z};
+          Vec3 centre{};
+          for (int d = 0; d < D; d++)
+            centre[d] = snap(lo[d] + 0.5 * n[d] + (at[d] - 0.5 * (count[d] - 1)) * spacing);
+          const double spin = sample.moving ? SPEED / r : 0.0;
+          list.push_back({std::int64_t(list.size() + 1), centre, r, {}, {0.0, 0.0, spin}});
+        }
+    return list;
+  }
+
+}    // namespace
+
+double links_of_sphere(double r, int dimension)
+{
+  const double diagonal = std::sqrt(2.0);
+  if (dimension == 2) return 2.0 * M_PI * r * (4.0 + 4.0 * diagonal) / M_PI;
+  return 4.0 * M_PI * r * r * (6.0 + 12.0 * diagonal) / 4.0;
+}
+
+Pace measure_pace(const Sample &sample, int rank, int ranks, Neighbours &neighbours)
+{
+  const int D = sample.dimension, last = D - 1;
+  Int3 n = sample.n, lo{}, global;
+  const bool grains = sample.radius > 0.0;
+  if (grains)
+    for (int d = 0; d < D; d++) n[d] = std::max(n[d], int(std::ceil(2.0 * sample.radius)) + 4);
+  for (int d = last; d >= 0; d--) {    // fewer planes first: rows stay as long as they are
+    const double area = double(n[0]) * n[1] * n[2] / n[d];
+    const int least = grains ? int(std::ceil(2.0 * sample.radius)) + 4 : 4;
+    n[d] = std::min(n[d], std::max(least, int(MOST / area)));
+  }
+  global = n;
+  global[last] = n[last] * ranks;
+  lo[last] = n[last] * rank;
+
+  Settings settings;
+  settings.dimension = D;
+  settings.single = sample.single;
+  settings.tau = sample.tau;
+  const auto fluid = Fluid::create(settings, lo, n, global, neighbours);
+  fluid->fill(0.0);
+  std::vector<Load> loads;
+  std::vector<Sphere> spheres;
+  int steps = 0;
+  auto step = [&] {
+    const double sign = steps++ / 50 % 2 ? -1.0 : 1.0;    // to and fro: none leaves the block
+    for (Sphere &s : spheres) {
+      s.velocity[0] = sample.moving ? sign * SPEED : 0.0;
+      s.centre[0] = snap(s.centre[0] + s.velocity[0]);
+    }
+    fluid->follow(spheres);
+    fluid->advance(loads);
+  };
+  const double nodes = double(fluid->layout().nodes());
+  Pace pace;
+  pace.node = seconds_of(step, neighbours) / nodes;
+  if (grains) {
+    spheres = array_of_spheres(sample, lo, n);
+    const double seconds = seconds_of(step, neighbours);
+    double links = fluid->links();
+    neighbours.max(&links, 1);
+    pace.link = links > 0.0 ? std::max(0.0, seconds - nodes * pace.node) / links : 0.0;
+  }
+  pace.bytes = fluid->bytes() / double(fluid->layout().size);
+  neighbours.max(&pace.bytes, 1);
+  return pace;
+}
+
+}    // namespace lbm

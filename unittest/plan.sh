@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# What lb/plan predicts against what examples give, on the scenes of examples/plan/scenes.txt:
+# unittest/plan.sh LMP FOLDER quick|full
+#
+# quick: errors of the two that are small; full: all errors, and seconds. Works in FOLDER.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
+
+lmp=$1 folder=$2 size=$3
+run_environment
+rm -rf "$folder"
+cp -r "$root/examples/plan" "$folder"
+rm -f "$folder"/log.*
+cd "$folder"
+here=$PWD
+
+# example RANKS NAME RUN OPTIONS...   an example, in its own folder; its log and tables come here
+example() {
+  (cd "$root/examples/$2" &&
+    mpirun -np "$1" "$lmp" -in "in.$2" -log "$here/log.$3" "${@:4}" > "$here/screen.txt" 2>&1) ||
+    { tail -n 20 screen.txt; die "lmp failed: $*"; }
+}
+
+example 2 permeability bed -var pack pack-45.data -var cells 8.3333333333333 -var table "$here/bed.dat"
+array=(-var phi 0.3 -var table "$here/array.dat")
+example 1 periodic_arrays array "${array[@]}" -var cells 10
+example 1 periodic_arrays array-fine "${array[@]}" -var cells 32 -var places 1
+if [ "$size" = full ]; then
+  for cells in 9 15; do
+    example 2 settling_sphere "sphere-$cells" -var case E3 -var cells $cells -var out "$here/sphere"
+  done
+fi
+python3 check.py "$size" times > times.txt
+while read -r ranks scene time options; do
+  read -r -a words <<< "$options"
+  mpirun -np "$ranks" "$lmp" -in in.scenes -log none -var scene "$scene" -var time "$time" \
+    "${words[@]}" > screen.txt 2>&1 < /dev/null || { tail -n 20 screen.txt; die "no plan of $scene"; }
+  grep -A 20 '^lb/plan: ' screen.txt
+done < times.txt
+python3 check.py "$size"
