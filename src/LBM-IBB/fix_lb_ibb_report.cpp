@@ -26,8 +26,8 @@ using namespace LAMMPS_NS;
 // what the run will do, what it will cost, and what it leaves out
 void FixLbIbb::print_summary(double smallest, double largest, double pressure_difference)
 {
-  static const char *link[] = {"halfway", "bouzidi", "cli"};
-  static const char *refill[] = {"grad", "equilibrium"};
+  static const char *link[] = {"halfway", "bouzidi", "cli", "zhao"};
+  static const char *refill[] = {"grad", "normal", "local", "equilibrium"};
   double bytes = fluid->bytes(), most;
   MPI_Allreduce(&bytes, &most, 1, MPI_DOUBLE, MPI_MAX, world);
   const bool grains = group->count(igroup) > 0 || largest > 0.0;

@@ -80,21 +80,30 @@ void LBOptionsParser::keyword()
     o.single = precision == "single";
   } else if (name == "link") {
     const int at = iarg;
-    const std::string rule = next("cli, bouzidi or halfway");
+    const std::string rule = next("cli, zhao, bouzidi or halfway");
     if (rule == "cli")
       o.link = lbm::LinkRule::CLI;
+    else if (rule == "zhao")
+      o.link = lbm::LinkRule::ZHAO;
     else if (rule == "bouzidi")
       o.link = lbm::LinkRule::BOUZIDI;
     else if (rule == "halfway")
       o.link = lbm::LinkRule::HALFWAY;
     else
-      refuse(at, "'" + rule + "' is none of cli, bouzidi, halfway");
+      refuse(at, "'" + rule + "' is none of cli, zhao, bouzidi, halfway");
   } else if (name == "refill") {
     const int at = iarg;
-    const std::string rule = next("grad or equilibrium");
-    if (rule != "grad" && rule != "equilibrium")
-      refuse(at, "'" + rule + "' is neither grad nor equilibrium");
-    o.refill = rule == "grad" ? lbm::RefillRule::GRAD : lbm::RefillRule::EQUILIBRIUM;
+    const std::string rule = next("grad, normal, local or equilibrium");
+    if (rule == "grad")
+      o.refill = lbm::RefillRule::GRAD;
+    else if (rule == "normal")
+      o.refill = lbm::RefillRule::NORMAL;
+    else if (rule == "local")
+      o.refill = lbm::RefillRule::LOCAL;
+    else if (rule == "equilibrium")
+      o.refill = lbm::RefillRule::EQUILIBRIUM;
+    else
+      refuse(at, "'" + rule + "' is none of grad, normal, local, equilibrium");
   } else if (name == "average") {
     o.average = utils::logical(FLERR, next("yes or no"), false, lmp) == 1;
   } else if (name == "conserve") {

@@ -102,7 +102,7 @@ TEST(Drag, SquareArrayOfDiscsConverges)
     return std::sqrt(square);
   };
   double mean;
-  for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI}) {
+  for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO}) {
     const double coarse = error(rule, 10, mean), fine = error(rule, 30, mean),
                  order = std::log(coarse / fine) / std::log(3.0);
     if (rule == LinkRule::HALFWAY) {
@@ -186,7 +186,7 @@ TEST(Drag, DoesNotFeelACommonDrift)
     return F / U;
   };
   // what is left is the lattice's own error in Galilean invariance, of order V^2
-  for (LinkRule rule : {LinkRule::CLI, LinkRule::BOUZIDI}) {
+  for (LinkRule rule : {LinkRule::CLI, LinkRule::BOUZIDI, LinkRule::ZHAO}) {
     const double rest = run(rule, 0.0);
     for (double V : {0.05, -0.1}) {
       const double drift = run(rule, V);

@@ -1,0 +1,150 @@
+"""Tables of ./run accuracy: what settings reach an error, where the default stands, at what order errors fall."""
+import math
+
+from accuracy_run import DEFAULT
+
+CASES_3D = ("array_0.125", "array_0.45", "plates", "moving", "settling_E3", "settling_E1", "bed")
+MAIN = {"array_0.125": "drag", "array_0.45": "drag", "plates": "drag", "moving": "moving_rms",
+        "settling_E1": "settling_E1", "settling_E3": "settling_E3", "bed": "permeability", "taylor_green": "velocity",
+        "womersley": "velocity"}
+
+
+def number(row, name):
+    try:
+        return float(row[name])
+    except ValueError:
+        return math.nan
+
+
+def error(row):
+    """root mean square of what one place of the grain, unknown, gets: bias and scatter together"""
+    scatter = number(row, "scatter")
+    return math.hypot(number(row, "error"), 0.0 if math.isnan(scatter) else scatter)
+
+
+def of(table, case):
+    return [row for row in table if row["case"] == case and row["quantity"] == MAIN[case]
+            and not math.isnan(error(row))]
+
+
+def is_default(row):
+    return all(row[name] == value for name, value in DEFAULT.items())
+
+
+def rule(row):
+    """what is not the default, in words"""
+    return " ".join(row[name] for name, value in DEFAULT.items() if row[name] != value) or "default"
+
+
+def refinement(table, case):
+    """the default, coarse to fine"""
+    return sorted((row for row in of(table, case) if row["sweep"] == "dx" and is_default(row)),
+                  key=lambda row: float(row["r_over_dx"]))
+
+
+def slope(points):
+    """least squares of log y against log x, of (x, y)"""
+    points = [(math.log(x), math.log(y)) for x, y in points if x > 0 and y > 0]
+    if len(points) < 3:
+        return math.nan
+    mx, my = (sum(p[k] for p in points) / len(points) for k in (0, 1))
+    return sum((x - mx) * (y - my) for x, y in points) / sum((x - mx)**2 for x, _ in points)
+
+
+def front(rows, cost):
+    """those that no other beats in both error and cost, cheapest first"""
+    best, kept = math.inf, []
+    for row in sorted(rows, key=lambda r: (number(r, cost), error(r))):
+        if error(row) < best:
+            best = error(row)
+            kept.append(row)
+    return kept
+
+
+def beaten(row, rows, cost="node_updates", by=1.1):
+    """rows that are better in both by more than 10 %, and not of the same rules: another resolution of the default
+    is no other choice"""
+    return [other for other in rows if not is_default(other) and error(other) * by < error(row)
+            and number(other, cost) * by < number(row, cost)]
+
+
+def settings(table):
+    """coarsest default that stays within an error, and what it costs"""
+    lines = ["| case | " + " | ".join(f"{100 * e:g} %" for e in (0.05, 0.02, 0.01, 0.005)) + " |",
+             "| --- | --- | --- | --- | --- |"]
+    for case in CASES_3D:
+        rows = refinement(table, case)
+        cells = []
+        for wanted in (0.05, 0.02, 0.01, 0.005):
+            good = None
+            for row in reversed(rows):    # it and all finer ones
+                if error(row) > wanted:
+                    break
+                good = row
+            cells.append("finer than measured" if good is None else
+                         f"r = {number(good, 'r_over_dx'):.3g} ({number(good, 'node_updates'):.2g} updates)")
+        if rows:
+            lines.append(f"| {case} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def orders(table):
+    """the finest half of each refinement: order in r/dx, and slope against node updates"""
+    lines = ["| case | order in r/dx | slope against cost, theory -2/5 | error from, to |", "| --- | --- | --- | --- |"]
+    for case in CASES_3D:
+        rows = refinement(table, case)
+        if len(rows) < 3:
+            continue
+        order = -slope([(number(r, "r_over_dx"), error(r)) for r in rows])
+        cost = slope([(number(r, "node_updates"), error(r)) for r in rows])
+        lines.append(f"| {case} | {order:.2f} | {cost:.2f} | {100 * error(rows[0]):.2f} % at r = "
+                     f"{number(rows[0], 'r_over_dx'):.3g}, {100 * error(rows[-1]):.2f} % at "
+                     f"{number(rows[-1], 'r_over_dx'):.3g} |")
+    return lines
+
+
+def standing(table):
+    """is the default on the front, within 10 %, and what beats it"""
+    lines = ["| case | default points | beaten | by |", "| --- | --- | --- | --- |"]
+    for case in CASES_3D:
+        rows = of(table, case)
+        mine = [row for row in rows if is_default(row) and row["sweep"] in ("dx", "tau")]
+        best = front(rows, "node_updates")
+        lost = [(row, beaten(row, rows)) for row in mine if row["sweep"] == "dx"]
+        lost = [(row, others) for row, others in lost if others]
+        by = sorted({f"{rule(o)} tau {o['tau']}" for _, others in lost for o in others})
+        if mine:
+            lines.append(f"| {case} | {sum(r['sweep'] == 'dx' for r in mine)} | {len(lost)} | "
+                         f"{', '.join(by[:6]) or '-'}; {sum(map(is_default, best))} of {len(best)} on the front are "
+                         "default |")
+    return lines
+
+
+def everything(table):
+    """one line for every number"""
+    lines = ["| case | quantity | r/dx | tau | rules | error % | scatter % | core s | M updates/s |",
+             "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+    for row in table:
+        scatter = number(row, "scatter")
+        lines.append(f"| {row['case']} | {row['quantity']} | {number(row, 'r_over_dx'):.3g} | {row['tau']} | "
+                     f"{rule(row)} | {100 * number(row, 'error'):.3g} | "
+                     f"{'' if math.isnan(scatter) else f'{100 * scatter:.2g}'} | {row['cpu_s']} | {row['mlups']} |")
+    return lines
+
+
+def for_the_plan(table):
+    """potentials/lb_ibb.accuracy: what the default's error was, by cells per radius"""
+    lines = ["# Errors of fix lb/ibb with its default rules, as ./run accuracy found them (doc/accuracy.md)",
+             "# quantity r_over_dx error"]
+    for quantity, case in (("drag", "array_0.125"), ("permeability", "bed"), ("settling", "settling_E3"),
+                           ("moving_rms", "moving")):
+        for row in refinement(table, case):
+            lines.append(f"{quantity} {row['r_over_dx']} {error(row):.4g}")
+    return lines
+
+
+def write(table, out):
+    parts = [("Settings", settings), ("Orders", orders), ("The default", standing), ("Everything", everything)]
+    text = "\n\n".join("\n".join([f"## {title}", "", *make(table)]) for title, make in parts)
+    (out / "tables.md").write_text(text + "\n")
+    (out / "lb_ibb.accuracy").write_text("\n".join(for_the_plan(table)) + "\n")
