@@ -7,6 +7,7 @@ process: the first count on an idle machine only, the second are less sensitive.
 import dataclasses
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -183,8 +184,7 @@ def rows(point, store, made_by):
                "wall_s": f"{wall * share:.4g}", "cpu_s": f"{cpu * share:.4g}", "steps": f"{done[0].steps * share:.0f}",
                "node_updates": f"{updates * share:.4g}", "mlups": f"{updates / max(wall, 1e-9) * 1e-6:.4g}",
                "memory_mib": f"{max(d.memory for d in done):.4g}", "load": f"{max(d.load for d in done):.2f}", **made_by}
-        row["error"] = found["value"] / found["reference"] - 1.0
-        row.update(found)
+        row.update({"error": found["value"] / (found["reference"] or math.nan) - 1.0, **found})
         for name in ("value", "reference", "error", "scatter"):
             if row[name] != "":
                 row[name] = f"{row[name]:.6g}"
