@@ -18,7 +18,7 @@ def choose(**choice):
 def keywords(choice):
     """values of the variables "collision" and "link" of a script, the latter followed by what has no variable"""
     full = {**DEFAULT, **choice}
-    more = "".join(f" {k} {full[k]}" for k in ("refill", "average", "precision") if k in choice)
+    more = "".join(f" {k} {full[k]}" for k in ("refill", "average", "precision", "radius") if k in choice)
     return {"collision": full["collision"], "link": full["link"] + more}
 
 
@@ -37,7 +37,7 @@ def array(phi, cells, tau=2.0, sweep="dx", places=8, **choice):
 
     run = Run("periodic_arrays/in.periodic_arrays", {"phi": phi, "cells": cells, "tau": tau, "table": "arrays.dat",
               "places": places, **keywords(choice)}, files=("arrays.dat",))
-    steps = 0.4 * cells**2 / ((tau - 0.5) / 3)
+    steps = 0.85 * cells**2 / ((tau - 0.5) / 3)
     return Point(f"array_{phi:g}", sweep, [run], evaluate, r, tau, choice, places * steps * cells**3)
 
 
@@ -55,6 +55,9 @@ def arrays(phi, quick):
                for link in ("cli", "bouzidi", "halfway") for tau in (0.6, 0.8, 1.0, 1.5)]
     points += [array(phi, n, 2.0, "collision", collision=f"trt {magic}") for magic in (0.0833333, 0.25) for n in some]
     points += [array(phi, n, 2.0, "precision", precision="single") for n in some]
+    if phi == 0.45:    # the table is made from the other one
+        points += [array(phi, n, 2.0, "radius", radius="calibrated") for n in fine]
+        points += [array(phi, n, 0.8, "radius", radius="calibrated", link=link) for link in RULES[1:] for n in some]
     return points
 
 
@@ -97,7 +100,9 @@ def plates(quick):
         [plate(n, tau, "link", link=link) for link in RULES[1:] for tau in (0.7, 1.0, 3.0) for n in (20, 28, 40)
          if tau > 0.7 or n == 28] + \
         [plate(28, 0.7, "collision", collision="bgk", link=link) for link in ("cli", "bouzidi")] + \
-        [plate(28, 3.0, "precision", precision="single")]
+        [plate(28, 3.0, "precision", precision="single")] + \
+        [plate(n, 3.0, "radius", radius="calibrated") for n in (20, 24, 28, 32, 40)] + \
+        [plate(28, 1.0, "radius", radius="calibrated", link=link) for link in RULES[1:]]
 
 
 # ---- moving sphere against a fixed one, from when the sphere has passed 1.5 r, over 4 r
@@ -174,7 +179,8 @@ def settlings(quick):
         [settle("E3", n, sweep="link", link=link) for link in RULES[1:] for n in (6, 9)] + \
         [settle("E3", 9, sweep="collision", collision="bgk", link="bouzidi"),
          settle("E3", 9, sweep="refill", refill="equilibrium"), settle("E3", 9, sweep="refill", refill="normal"),
-         settle("E3", 9, sweep="average", average="no"), settle("E3", 9, sweep="precision", precision="single")]
+         settle("E3", 9, sweep="average", average="no"), settle("E3", 9, sweep="precision", precision="single"),
+         settle("E3", 6, sweep="radius", radius="calibrated"), settle("E3", 9, sweep="radius", radius="calibrated")]
 
 
 # ---- permeability of a random bed
@@ -199,7 +205,9 @@ def beds(quick):
         [bed(10, tau, "tau") for tau in (0.52, 0.55, 0.6, 0.8, 1.5, 2.0)] + \
         [bed(n, tau, "link", link=link) for link in RULES[1:] for tau in (0.6, 1.0) for n in (10, 15)] + \
         [bed(10, tau, "collision", collision="bgk", link=link) for tau in (0.6, 1.0, 1.5) for link in ("cli", "bouzidi")] + \
-        [bed(10, 1.0, "precision", precision="single")]
+        [bed(10, 1.0, "precision", precision="single")] + \
+        [bed(n, 1.0, "radius", radius="calibrated") for n in (5, 7.5, 10, 15)] + \
+        [bed(10, 1.0, "radius", radius="calibrated", link=link) for link in RULES[1:]]
 
 
 # ---- approach to a wall: Brenner 1961

@@ -19,9 +19,10 @@ import time
 from benchlib import lmp, root
 
 EXAMPLES = root / "examples"
-COLUMNS = ("case quantity sweep r_over_dx tau collision link refill average precision value reference error scatter "
+RADII = root / "potentials" / "lbm-ibb.radius"
+COLUMNS = ("case quantity sweep r_over_dx tau collision link refill average precision radius value reference error scatter "
            "wall_s cpu_s steps node_updates mlups memory_mib ranks load commit machine").split()
-DEFAULT = {"collision": "trt", "link": "cli", "refill": "grad", "average": "yes", "precision": "double"}
+DEFAULT = {"collision": "trt", "link": "cli", "refill": "grad", "average": "yes", "precision": "double", "radius": "given"}
 
 
 class Failed(Exception):
@@ -157,6 +158,8 @@ class Store:
         path = EXAMPLES / run.script
         script = path.read_text() if path.exists() else ""
         words = [f"{k}={v}" for k, v in run.variables.items()]
+        if "calibrated" in " ".join(words):
+            words.append(RADII.read_text())
         return hashlib.sha256("\0".join([self.lmp, run.script, script, *words, str(run.ranks)]).encode()).hexdigest()
 
     def has(self, point):

@@ -55,7 +55,21 @@ LBOptions LBOptionsParser::parse()
     iarg++;
   }
   check_faces();
+  check_radius();
   return o;
+}
+
+// the table of radii was measured with spheres and two relaxation times
+void LBOptionsParser::check_radius() const
+{
+  if (!o.calibrated) return;
+  if (domain->dimension == 2)
+    error->all(FLERR, "Fix lb/ibb keyword radius: there is no table for discs: use radius given");
+  if (o.bgk || o.magic != LBOptions{}.magic)
+    error->all(FLERR,
+               "Fix lb/ibb keyword radius: the table is of collision trt {}: use that, or radius "
+               "given",
+               LBOptions{}.magic);
 }
 
 // arg[iarg] is a keyword; leaves iarg at its last word
@@ -119,6 +133,12 @@ void LBOptionsParser::keyword()
       o.coupling = LBOptions::IMPLICIT;
     else
       refuse(at, "'" + how + "' is none of auto, explicit, implicit");
+  } else if (name == "radius") {
+    const int at = iarg;
+    const std::string how = next("given or calibrated");
+    if (how != "given" && how != "calibrated")
+      refuse(at, "'" + how + "' is neither given nor calibrated");
+    o.calibrated = how == "calibrated";
   } else if (name == "shrink") {
     const int at = iarg;
     o.shrink = number("shrink");
@@ -138,8 +158,8 @@ void LBOptionsParser::keyword()
   } else {
     error->all(FLERR, iarg,
                "Fix lb/ibb: unknown keyword '{}'; known are every, collision, precision, link, "
-               "refill, face, accel, gradp, buoyancy, shrink, average, conserve, "
-               "coupling, check, restart",
+               "refill, face, accel, gradp, buoyancy, shrink, radius, average, "
+               "conserve, coupling, check, restart",
                name);
   }
 }
