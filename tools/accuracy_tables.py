@@ -45,7 +45,7 @@ def refinement(table, case):
 def slope(points):
     """least squares of log y against log x, of (x, y)"""
     points = [(math.log(x), math.log(y)) for x, y in points if x > 0 and y > 0]
-    if len(points) < 3:
+    if len(points) < 2:
         return math.nan
     mx, my = (sum(p[k] for p in points) / len(points) for k in (0, 1))
     return sum((x - mx) * (y - my) for x, y in points) / sum((x - mx)**2 for x, _ in points)
@@ -143,6 +143,35 @@ def for_the_plan(table):
     return lines
 
 
+def gates(table):
+    """what must hold: (what, found, limit), found above the limit being a failure; of what has been run"""
+    found = []
+    for cells, limit in ((8, 0.03), (12, 0.01), (20, 0.003)):
+        near = [r for r in refinement(table, "array_0.125") if cells <= 2 * number(r, "r_over_dx") < 1.1 * cells]
+        found += [(f"drag of the cubic array, {cells} cells per diameter", abs(number(r, "error")), limit) for r in near[:1]]
+    found += [("force on the sphere between plates, r = 3.08", abs(number(r, "error")), 0.01)
+              for r in refinement(table, "plates") if abs(number(r, "r_over_dx") - 3.08) < 0.01]
+    for case, what in (("array_0.125", "drag of the array"), ("bed", "permeability of the bed")):
+        varied = [r for r in of(table, case) if r["sweep"] == "tau" and is_default(r) and number(r, "tau") <= 1.5]
+        if len(varied) > 1:
+            values = [number(r, "value") for r in varied]
+            found.append((f"{what}, range over tau from {varied[0]['tau']} to {varied[-1]['tau']}",
+                          max(values) / min(values) - 1, 0.001))
+    for case in ("taylor_green", "womersley"):
+        rows = [r for r in of(table, case) if r["sweep"] == "dx" and is_default(r) and r["tau"] in ("0.8", "0.55")]
+        for tau in sorted({r["tau"] for r in rows}):
+            points = [(number(r, "r_over_dx"), error(r)) for r in rows if r["tau"] == tau]
+            if len(points) > 1:
+                found.append((f"2 less the order of {case}, tau {tau}", 2 + slope(points), 0.1))
+    return found
+
+
+def gate_lines(table):
+    return ["| what | found | limit |", "| --- | --- | --- |",
+            *(f"| {what} | {'**' if value > limit else ''}{value:.2g}{'**' if value > limit else ''} | {limit:g} |"
+              for what, value, limit in gates(table))]
+
+
 # Zick & Homsy 1982, simple cubic, around 1/8
 ARRAYS = {0.064: 2.810, 0.125: 4.292, 0.216: 7.442}
 
@@ -185,7 +214,7 @@ def radii(table):
 
 
 def write(table, out):
-    parts = [("Settings", settings), ("Orders", orders), ("The default", standing), ("Everything", everything)]
+    parts = [("To reach", gate_lines), ("Settings", settings), ("Orders", orders), ("The default", standing), ("Everything", everything)]
     text = "\n\n".join("\n".join([f"## {title}", "", *make(table)]) for title, make in parts)
     (out / "tables.md").write_text(text + "\n")
     (out / "lbm-ibb.accuracy").write_text("\n".join(for_the_plan(table)) + "\n")
