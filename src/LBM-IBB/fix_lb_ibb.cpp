@@ -245,6 +245,12 @@ double FixLbIbb::hydrodynamic_radius(int i) const
   return atom->radius[i] - options.shrink;
 }
 
+double FixLbIbb::drawn_radius(int i) const
+{
+  const double r = hydrodynamic_radius(i) / units.dx;
+  return radii ? radii->drawn(r) : r;
+}
+
 // ---------------------------------------------------------------------- per-grid data
 
 // LAMMPS 4 Feb 2025 and 4 Jul 2026: fix ave/grid follows no new sub-domains, it crashes

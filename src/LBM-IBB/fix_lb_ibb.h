@@ -19,6 +19,7 @@ FixStyle(lb/ibb,FixLbIbb);
 #include "fix.h"
 
 #include "lb_ibb_options.h"
+#include "lb_ibb_radius.h"
 #include "lbm_units.h"
 
 #include <memory>
@@ -89,6 +90,7 @@ class FixLbIbb : public Fix {
   bool has_buoyancy() const { return options.has_buoyancy; }
   const lbm::Vec3 &gravity() const { return drive.buoyancy; }    // of the last fluid step
   double hydrodynamic_radius(int i) const;
+  double drawn_radius(int i) const;    // of the sphere that the fluid sees, in cells
   std::vector<lbm::Layer> profile(int axis, int width);    // in layers of width nodes
 
   // for fix lb/ibb/vtk: nodes of this rank, and a field (see get_griddata_by_name()) at some of
@@ -103,6 +105,7 @@ class FixLbIbb : public Fix {
   std::unique_ptr<class LBFields> fields;    // also decides which nodes are this rank's
   std::unique_ptr<lbm::MpiNeighbours> neighbours;
   std::unique_ptr<lbm::Fluid> fluid;
+  std::unique_ptr<LBRadius> radii;    // with radius calibrated
   bigint fluid_steps, first_step, last_step;
   // from then on the fluid is not made anew
   bool has_started() const;

@@ -59,7 +59,7 @@ void FixLbIbb::place_grains()
     const double *g = ghosted[i];
     lbm::Sphere s{atom->tag[i],
                   {g[0], g[1], g[2]},
-                  hydrodynamic_radius(i) / units.dx,
+                  drawn_radius(i),
                   {g[3], g[4], g[5]},
                   {g[6], g[7], g[8]},
                   g[9],

@@ -40,8 +40,7 @@ std::string FixLbIbb::expected_errors(double smallest)
 // what the run will do, what it will cost, and what it leaves out
 void FixLbIbb::print_summary(double smallest, double largest, double pressure_difference)
 {
-  static const char *link[] = {"halfway", "bouzidi", "cli"};
-  static const char *refill[] = {"grad", "equilibrium"};
+  static const char *refill[] = {"grad", "normal", "local", "equilibrium"};
   double bytes = fluid->bytes(), most;
   MPI_Allreduce(&bytes, &most, 1, MPI_DOUBLE, MPI_MAX, world);
   const bool grains = group->count(igroup) > 0 || largest > 0.0;
@@ -69,13 +68,18 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
   if (grains)
     text += fmt::format(
         "  grains: {:.4g} to {:.4g} cells per diameter; links {}, refill {}, force {}{}\n",
-        2.0 * smallest / options.dx, 2.0 * largest / options.dx, link[(int) options.link],
+        2.0 * smallest / options.dx, 2.0 * largest / options.dx, options.link_name(),
         refill[(int) options.refill],
         options.average ? "mean of two fluid steps" : "of the last fluid step",
         options.link == lbm::LinkRule::HALFWAY ? ""
             : options.conserve                 ? "; mass that links swallow given back"
                                                : "; mass that links swallow lost");
   if (smallest > 0.0) text += expected_errors(smallest);
+  if (grains && radii)
+    text += fmt::format(
+        "  radii calibrated: the fluid takes {:.5g} cells for {:.5g}, {:.5g} for {:.5g}\n",
+        radii->drawn(smallest / options.dx), smallest / options.dx,
+        radii->drawn(largest / options.dx), largest / options.dx);
 
   if (const bigint yielding = light_grains())
     text += fmt::format(

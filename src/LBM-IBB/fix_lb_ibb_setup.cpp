@@ -51,6 +51,8 @@ void FixLbIbb::init()
   find_variables();
   if (has_started()) reset_dt();
   if (!has_started() || !fluid) create_fluid();
+  if (options.calibrated && !has_started())
+    radii = std::make_unique<LBRadius>(lmp, options.link_name(), units.tau(options.nu));
   read_fluid();
   provide_ghosts();
 }

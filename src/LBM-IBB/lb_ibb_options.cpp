@@ -55,7 +55,21 @@ LBOptions LBOptionsParser::parse()
     iarg++;
   }
   check_faces();
+  check_radius();
   return o;
+}
+
+// the table of radii was measured with spheres and two relaxation times
+void LBOptionsParser::check_radius() const
+{
+  if (!o.calibrated) return;
+  if (domain->dimension == 2)
+    error->all(FLERR, "Fix lb/ibb keyword radius: there is no table for discs: use radius given");
+  if (o.bgk || o.magic != LBOptions{}.magic)
+    error->all(FLERR,
+               "Fix lb/ibb keyword radius: the table is of collision trt {}: use that, or radius "
+               "given",
+               LBOptions{}.magic);
 }
 
 // arg[iarg] is a keyword; leaves iarg at its last word
@@ -80,21 +94,30 @@ void LBOptionsParser::keyword()
     o.single = precision == "single";
   } else if (name == "link") {
     const int at = iarg;
-    const std::string rule = next("cli, bouzidi or halfway");
+    const std::string rule = next("cli, zhao, bouzidi or halfway");
     if (rule == "cli")
       o.link = lbm::LinkRule::CLI;
+    else if (rule == "zhao")
+      o.link = lbm::LinkRule::ZHAO;
     else if (rule == "bouzidi")
       o.link = lbm::LinkRule::BOUZIDI;
     else if (rule == "halfway")
       o.link = lbm::LinkRule::HALFWAY;
     else
-      refuse(at, "'" + rule + "' is none of cli, bouzidi, halfway");
+      refuse(at, "'" + rule + "' is none of cli, zhao, bouzidi, halfway");
   } else if (name == "refill") {
     const int at = iarg;
-    const std::string rule = next("grad or equilibrium");
-    if (rule != "grad" && rule != "equilibrium")
-      refuse(at, "'" + rule + "' is neither grad nor equilibrium");
-    o.refill = rule == "grad" ? lbm::RefillRule::GRAD : lbm::RefillRule::EQUILIBRIUM;
+    const std::string rule = next("grad, normal, local or equilibrium");
+    if (rule == "grad")
+      o.refill = lbm::RefillRule::GRAD;
+    else if (rule == "normal")
+      o.refill = lbm::RefillRule::NORMAL;
+    else if (rule == "local")
+      o.refill = lbm::RefillRule::LOCAL;
+    else if (rule == "equilibrium")
+      o.refill = lbm::RefillRule::EQUILIBRIUM;
+    else
+      refuse(at, "'" + rule + "' is none of grad, normal, local, equilibrium");
   } else if (name == "average") {
     o.average = utils::logical(FLERR, next("yes or no"), false, lmp) == 1;
   } else if (name == "conserve") {
@@ -110,6 +133,12 @@ void LBOptionsParser::keyword()
       o.coupling = LBOptions::IMPLICIT;
     else
       refuse(at, "'" + how + "' is none of auto, explicit, implicit");
+  } else if (name == "radius") {
+    const int at = iarg;
+    const std::string how = next("given or calibrated");
+    if (how != "given" && how != "calibrated")
+      refuse(at, "'" + how + "' is neither given nor calibrated");
+    o.calibrated = how == "calibrated";
   } else if (name == "shrink") {
     const int at = iarg;
     o.shrink = number("shrink");
@@ -129,9 +158,8 @@ void LBOptionsParser::keyword()
   } else {
     error->all(FLERR, iarg,
                "Fix lb/ibb (see doc/src/fix_lb_ibb.rst): unknown keyword '{}'; known are every, "
-               "collision, precision, link, "
-               "refill, face, accel, gradp, buoyancy, shrink, average, conserve, "
-               "coupling, check, restart",
+               "collision, precision, link, refill, face, accel, gradp, buoyancy, shrink, radius, "
+               "average, conserve, coupling, check, restart",
                name);
   }
 }

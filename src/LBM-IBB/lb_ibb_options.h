@@ -41,7 +41,7 @@ struct LBFace {
 struct LBOptions {
   double dx = 0.0, nu = 0.0, rho = 0.0;
   int every = 1, check = 100;
-  bool bgk = false, single = false, average = true, conserve = true;
+  bool bgk = false, single = false, average = true, conserve = true, calibrated = false;
   enum { AUTO, EXPLICIT, IMPLICIT } coupling = AUTO;
   bool has_gradp = false, has_buoyancy = false;
   double magic = 3.0 / 16.0, shrink = 0.0;
@@ -49,6 +49,8 @@ struct LBOptions {
   lbm::RefillRule refill = lbm::RefillRule::GRAD;
   LBFace face[3][2];
   LBVector accel, gradp, buoyancy;
+  const char *link_name() const { return LINKS[int(link)]; }
+  static constexpr const char *LINKS[] = {"halfway", "bouzidi", "cli", "zhao"};
   std::string restart;    // name of a restart file, NONE, or nothing
   static constexpr const char *NONE = "none";
 };
@@ -66,6 +68,7 @@ class LBOptionsParser : protected Pointers {
   void keyword();
   void face();
   void check_faces() const;
+  void check_radius() const;
   void check_flux(int d) const;
   [[noreturn]] void refuse(int at, const std::string &why) const;
   const char *next(const std::string &what);

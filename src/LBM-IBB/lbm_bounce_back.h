@@ -52,5 +52,17 @@ struct Cli {
   }
 };
 
+// Zhao & Yong 2017, their l = q: a convex combination of three populations of x_f alone. The one
+// they take from before the collision is in one node with r2, a step later: with it the steady
+// state is the same, nothing lags behind, and the rule becomes that of Yu, Mei & Shyy 2003.
+struct Zhao {
+  static constexpr bool interpolated = true;
+  template <class V> static Coefficients<V> at(const V &q)
+  {
+    const V r = 1.0 / (1.0 + q);
+    return {q * r, (1.0 - q) * r, q * r, 2.0 * r};
+  }
+};
+
 }    // namespace lbm
 #endif

@@ -241,7 +241,8 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
 #define LBM_INSTANTIATE(L)         \
   LBM_INSTANTIATE_RULE(L, Halfway) \
   LBM_INSTANTIATE_RULE(L, Bouzidi) \
-  LBM_INSTANTIATE_RULE(L, Cli)
+  LBM_INSTANTIATE_RULE(L, Cli)     \
+  LBM_INSTANTIATE_RULE(L, Zhao)
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 #undef LBM_INSTANTIATE_RULE

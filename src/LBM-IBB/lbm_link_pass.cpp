@@ -107,6 +107,8 @@ template <class L> template <class F> void LinkPass<L>::with_rule(F &&f) const
       return f(Bouzidi{});
     case LinkRule::CLI:
       return f(Cli{});
+    case LinkRule::ZHAO:
+      return f(Zhao{});
   }
 }
 

@@ -19,7 +19,7 @@
 
 namespace lbm {
 
-enum class LinkRule { HALFWAY, BOUZIDI, CLI };
+enum class LinkRule { HALFWAY, BOUZIDI, CLI, ZHAO };
 
 template <class L> class LinkPass {
  public:

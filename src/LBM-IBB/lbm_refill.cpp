@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <limits>
 
 namespace lbm {
 namespace {
@@ -16,12 +17,33 @@ namespace {
     return before.spheres()[node.sphere].velocity_at(arm);
   }
 
-  // Moments next to uncovered nodes, those beyond a face of the block got from the neighbour there
-  template <class L> class Around {
+  // What a node holds: its moments, and if wanted its populations beyond equilibrium
+  template <class L, RefillRule rule> struct Held {
+    static constexpr int EXTRA = rule == RefillRule::NORMAL ? L::Q : 0, SIZE = 4 + EXTRA;
+    Moments m{};
+    std::array<double, EXTRA> beyond{};
+    void read(const Slots<L> &f, Index n, const Vec3 &force)
+    {
+      m = moments<L>(f, n, force);
+      for (int i = 0; i < EXTRA; i++) beyond[i] = f[i][n] - bare_equilibrium<L>(i, m, force);
+    }
+    void append_to(std::vector<double> &list) const
+    {
+      list.insert(list.end(), {m.drho, m.u[0], m.u[1], m.u[2]});
+      list.insert(list.end(), beyond.begin(), beyond.end());
+    }
+    void take(const double *list)
+    {
+      m = {list[0], {list[1], list[2], list[3]}};
+      std::copy_n(list + 4, EXTRA, beyond.begin());
+    }
+  };
+
+  // Nodes next to uncovered ones, those beyond a face of the block got from the neighbour there
+  template <class L, RefillRule rule> class Around {
    public:
-    struct Sample {
+    struct Sample : Held<L, rule> {
       bool known = false;
-      Moments m{};
     };
 
     Around(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
@@ -46,7 +68,7 @@ namespace {
             s.known = was_and_is_fluid(p);
             if (!s.known) continue;
             if (at.owned(p[0], p[1], p[2])) {
-              s.m = moments<L>(f, at.index(p[0], p[1], p[2]), force);
+              s.read(f, at.index(p[0], p[1], p[2]), force);
             } else {
               const int a = (d + 1) % 3, b = (d + 2) % 3;
               wanted.push_back(p[a] + double(p[b]) * at.n[a]);
@@ -83,23 +105,68 @@ namespace {
       std::vector<double> asked(std::size_t(nasked), 0.0);
       neighbours.shift(d, side, wanted.data(), wanted.size(), asked.data(), asked.size());
 
-      std::vector<double> reply, answer(4 * wanted.size());
+      std::vector<double> reply, answer(Sample::SIZE * wanted.size());
       const int a = (d + 1) % 3, b = (d + 2) % 3;
       for (double name : asked) {
         Int3 p;
         p[a] = int(Index(name) % at.n[a]);
         p[b] = int(Index(name) / at.n[a]);
         p[d] = side == 0 ? at.n[d] - 1 : 0;
-        const Moments m = moments<L>(f, at.index(p[0], p[1], p[2]), force);
-        reply.insert(reply.end(), {m.drho, m.u[0], m.u[1], m.u[2]});
+        Held<L, rule> held;
+        held.read(f, at.index(p[0], p[1], p[2]), force);
+        held.append_to(reply);
       }
       neighbours.shift(d, 1 - side, reply.data(), reply.size(), answer.data(), answer.size());
-      for (std::size_t k = 0; k < answers.size(); k++) {
-        const double *m = &answer[4 * k];
-        answers[k]->m = {m[0], {m[1], m[2], m[3]}};
-      }
+      for (std::size_t k = 0; k < answers.size(); k++) answers[k]->take(&answer[Sample::SIZE * k]);
     }
   };
+
+  // 4.5 w rho P:(ee - I/3),  P = -(tau/3) (grad u + grad u^T), where the node has moments m
+  template <class L, class Samples>
+  std::array<double, L::Q> by_gradient(const Samples &samples, const Moments &m, double tau)
+  {
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();    // (a, b) = d u_a / d x_b
+    for (int b = 0; b < L::D; b++) {
+      const auto &lo = samples[2 * b], &hi = samples[2 * b + 1];
+      for (int a = 0; a < L::D; a++) {
+        const double below = lo.known ? lo.m.u[a] : m.u[a], above = hi.known ? hi.m.u[a] : m.u[a];
+        gradient(a, b) = (above - below) / (lo.known && hi.known ? 2.0 : 1.0);
+      }
+    }
+    const Eigen::Matrix3d P = -tau / 3.0 * (gradient + gradient.transpose());
+    std::array<double, L::Q> beyond;
+    for (int i = 0; i < L::Q; i++) {
+      const Eigen::Vector3d e(L::e[i][0], L::e[i][1], L::e[i][2]);
+      beyond[i] = 4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0);
+    }
+    return beyond;
+  }
+
+  // of the fluid neighbour along the axis nearest to the normal, which points along the arm
+  template <class L, class Samples>
+  std::array<double, L::Q> along_normal(const Samples &samples, const Cover &before,
+                                        const Uncovered &node)
+  {
+    const Vec3 c = before.centre(node.sphere);
+    std::array<double, L::Q> beyond{};
+    double best = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 2 * L::D; k++) {
+      const double out = (k % 2 ? 1.0 : -1.0) * (node.p[k / 2] - c[k / 2]);
+      if (!samples[k].known || out <= best) continue;
+      best = out;
+      beyond = samples[k].beyond;
+    }
+    return beyond;
+  }
+
+  template <class L, RefillRule rule, class Samples>
+  std::array<double, L::Q> beyond_equilibrium(const Samples &samples, const Cover &before,
+                                              const Uncovered &node, const Moments &m, double tau)
+  {
+    if constexpr (rule == RefillRule::GRAD) return by_gradient<L>(samples, m, tau);
+    if constexpr (rule == RefillRule::NORMAL) return along_normal<L>(samples, before, node);
+    return {};
+  }
 
   // density of the populations that arrive from fluid, whose equilibrium velocity is u
   template <class L>
@@ -138,28 +205,20 @@ std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, con
   return list;
 }
 
-template <class L>
-void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
-                 const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
-                 Neighbours &neighbours, RefillCount &count)
+template <class L, RefillRule rule>
+void refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+                  const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
+                  Neighbours &neighbours, RefillCount &count)
 {
-  const auto samples = Around<L>(at, f, before, now, force, neighbours).collect(nodes);
+  const auto samples = Around<L, rule>(at, f, before, now, force, neighbours).collect(nodes);
   for (std::size_t k = 0; k < nodes.size(); k++) {
     Moments m{0.0, solid_velocity(before, nodes[k])};
-    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();    // (a, b) = d u_a / d x_b
     int known = 0;
-    for (int b = 0; b < L::D; b++) {
-      const auto &lo = samples[k][2 * b], &hi = samples[k][2 * b + 1];
-      for (const auto *s : {&lo, &hi})
-        if (s->known) {
-          m.drho += s->m.drho;
-          known++;
-        }
-      for (int a = 0; a < L::D; a++) {
-        const double below = lo.known ? lo.m.u[a] : m.u[a], above = hi.known ? hi.m.u[a] : m.u[a];
-        gradient(a, b) = (above - below) / (lo.known && hi.known ? 2.0 : 1.0);
+    for (const auto &s : samples[k])
+      if (s.known) {
+        m.drho += s.m.drho;
+        known++;
       }
-    }
     if (known)
       m.drho /= known;
     else if (arriving_density<L>(at, f, before, nodes[k], m.u, force, m.drho))
@@ -170,14 +229,9 @@ void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const
     }
     if (known) count.grad++;
 
-    // f = f_eq + 4.5 w rho P:(ee - I/3),  P = -(tau/3) (grad u + grad u^T)
-    const Eigen::Matrix3d P = -tau / 3.0 * (gradient + gradient.transpose());
-    for (int i = 0; i < L::Q; i++) {
-      const Eigen::Vector3d e(L::e[i][0], L::e[i][1], L::e[i][2]);
-      f[i][nodes[k].n] =
-          typename L::Real(bare_equilibrium<L>(i, m, force) +
-                           4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0));
-    }
+    const auto beyond = beyond_equilibrium<L, rule>(samples[k], before, nodes[k], m, tau);
+    for (int i = 0; i < L::Q; i++)
+      f[i][nodes[k].n] = typename L::Real(bare_equilibrium<L>(i, m, force) + beyond[i]);
   }
 }
 
@@ -229,16 +283,21 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
   }
 }
 
-#define LBM_INSTANTIATE(L)                                                                         \
-  template void refill_grad<L>(const Layout &, const Slots<L> &, const Cover &, const Cover &,     \
-                               const std::vector<Uncovered> &, double, const Vec3 &, Neighbours &, \
-                               RefillCount &);                                                     \
-  template void refill_equilibrium<L>(const Slots<L> &, const Cover &,                             \
-                                      const std::vector<Uncovered> &, double, const Vec3 &,        \
-                                      RefillCount &);                                              \
-  template void fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,                   \
+#define LBM_INSTANTIATE_LOCAL(L, rule)                                \
+  template void refill_local<L, RefillRule::rule>(                    \
+      const Layout &, const Slots<L> &, const Cover &, const Cover &, \
+      const std::vector<Uncovered> &, double, const Vec3 &, Neighbours &, RefillCount &);
+#define LBM_INSTANTIATE(L)                                                                  \
+  LBM_INSTANTIATE_LOCAL(L, GRAD)                                                            \
+  LBM_INSTANTIATE_LOCAL(L, NORMAL)                                                          \
+  LBM_INSTANTIATE_LOCAL(L, LOCAL)                                                           \
+  template void refill_equilibrium<L>(const Slots<L> &, const Cover &,                      \
+                                      const std::vector<Uncovered> &, double, const Vec3 &, \
+                                      RefillCount &);                                       \
+  template void fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,            \
                                 const std::vector<uint32_t> &, const Vec3 &);
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
+#undef LBM_INSTANTIATE_LOCAL
 
 }    // namespace lbm

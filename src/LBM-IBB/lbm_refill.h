@@ -6,6 +6,9 @@
 //                with the velocity gradient by differences to the neighbours along the axes;
 //                no such neighbour: equilibrium with the density of the populations that arrive;
 //                none arrives from fluid: equilibrium with the mean density around the sphere
+//   normal       local mean density, and what the neighbour nearest to the normal of the surface,
+//                along an axis, has beyond equilibrium (Caiazzo 2008); else as grad
+//   local        equilibrium with the local mean density; else as grad
 //   equilibrium  the rule of the paper: equilibrium with the mean density of the whole system
 
 #ifndef LBM_REFILL_H
@@ -16,11 +19,12 @@
 
 namespace lbm {
 
-enum class RefillRule { GRAD, EQUILIBRIUM };
+enum class RefillRule { GRAD, NORMAL, LOCAL, EQUILIBRIUM };
 
 // how many nodes were filled, and by which rule they had to be
 struct RefillCount {
-  std::int64_t grad = 0, equilibrium = 0, deep = 0;
+  std::int64_t grad = 0,    // or normal, local
+      equilibrium = 0, deep = 0;
 };
 
 // owned nodes covered before and not now
@@ -33,10 +37,10 @@ std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, con
 
 // Fill them, between the link pass of step t - 1 and the sweep of step t; f are the slots of step
 // t. Collective over all blocks.
-template <class L>
-void refill_grad(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
-                 const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
-                 Neighbours &neighbours, RefillCount &count);
+template <class L, RefillRule rule>    // all but EQUILIBRIUM
+void refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+                  const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
+                  Neighbours &neighbours, RefillCount &count);
 
 template <class L>
 void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,

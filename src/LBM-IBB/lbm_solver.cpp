@@ -277,12 +277,23 @@ namespace {
       if (any == 0.0) return;
       provide(now);    // a rank without any may have to answer the others' questions
       provide(before);
-      if (settings.refill == RefillRule::GRAD)
-        refill_grad<L>(at, block.slots(), *before, *now, nodes, settings.tau, force, neighbours,
-                       counts.refilled);
-      else
-        refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(), force,
-                              counts.refilled);
+      switch (settings.refill) {
+        case RefillRule::GRAD:
+          return refill_with<RefillRule::GRAD>(nodes);
+        case RefillRule::NORMAL:
+          return refill_with<RefillRule::NORMAL>(nodes);
+        case RefillRule::LOCAL:
+          return refill_with<RefillRule::LOCAL>(nodes);
+        case RefillRule::EQUILIBRIUM:
+          return refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(), force,
+                                       counts.refilled);
+      }
+    }
+
+    template <RefillRule rule> void refill_with(const std::vector<Uncovered> &nodes)
+    {
+      refill_local<L, rule>(at, block.slots(), *before, *now, nodes, settings.tau, force,
+                            neighbours, counts.refilled);
     }
 
     // of the whole system, over the nodes that were fluid in the last step

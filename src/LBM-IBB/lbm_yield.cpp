@@ -122,7 +122,8 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
 #define LBM_INSTANTIATE(L)         \
   LBM_INSTANTIATE_RULE(L, Halfway) \
   LBM_INSTANTIATE_RULE(L, Bouzidi) \
-  LBM_INSTANTIATE_RULE(L, Cli)
+  LBM_INSTANTIATE_RULE(L, Cli)     \
+  LBM_INSTANTIATE_RULE(L, Zhao)
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 #undef LBM_INSTANTIATE_RULE

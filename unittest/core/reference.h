@@ -246,6 +246,7 @@ class Solver {
   void add_load(const Cut &cut, int i, Real out, Real back);
   void press_apart();
   void press_from_face(const Owner &mine, const Direction &outwards);
+  void add_beyond_equilibrium(std::size_t x, const std::vector<Owner> &before);
   void refill(const std::vector<Owner> &before, const std::vector<lbm::Sphere> &spheres_before);
   void fill_if_pocket(std::size_t x);
   Real arriving_excess(std::size_t x, const Vec &u, const std::vector<Owner> &before,

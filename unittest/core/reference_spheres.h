@@ -15,8 +15,7 @@ inline Solver::Cut Solver::cut(int i, const Owner &inside) const
   const lbm::Sphere &sphere = spheres[inside.sphere];
   Vec arm;
   for (int d = 0; d < 3; d++) arm[d] = inside.arm[d] + dirs[i].c[d];
-  const Real a =
-      dot(dirs[i].c, Vec{Real(dirs[i].c[0]), Real(dirs[i].c[1]), Real(dirs[i].c[2])});
+  const Real a = dot(dirs[i].c, Vec{Real(dirs[i].c[0]), Real(dirs[i].c[1]), Real(dirs[i].c[2])});
   const Real b = dot(dirs[i].c, arm), c = dot(arm, arm) - sphere.radius * sphere.radius;
   // (b - sqrt(b b - a c)) / a, without the cancellation
   const Real q = c / (b + std::sqrt(b * b - a * c));
@@ -66,6 +65,8 @@ inline Solver::Rule Solver::rule(std::size_t x, int i, const Cut &cut, Real m) c
       const Real kappa = (1 - 2 * q) / (1 + 2 * q);
       return {back - kappa * ahead + 4 * m / (1 + 2 * q), kappa};
     }
+    case lbm::LinkRule::ZHAO:
+      return {(q * back + q * ahead + 2 * m) / (1 + q), (1 - q) / (1 + q)};
   }
   return {};
 }
@@ -268,6 +269,8 @@ inline void Solver::refill(const std::vector<Owner> &before,
       for (int b = 0; b < 3; b++) shear[a][b] = -settings.tau / 3.0 * (grad[a][b] + grad[b][a]);
     for (int a = 0; a < 3; a++) trace += shear[a][a];
     set_equilibrium(x, rho, u);
+    if (settings.refill == lbm::RefillRule::NORMAL) add_beyond_equilibrium(x, before);
+    if (settings.refill != lbm::RefillRule::GRAD) continue;
     for (std::size_t i = 0; i < dirs.size(); i++) {
       Real sum = -trace / 3.0;
       for (int a = 0; a < 3; a++)
@@ -275,6 +278,28 @@ inline void Solver::refill(const std::vector<Owner> &before,
       at(f, x, i) += 4.5 * dirs[i].w * rho * sum;
     }
   }
+}
+
+// of the neighbour along an axis that lies farthest out along the normal, if there is one
+inline void Solver::add_beyond_equilibrium(std::size_t x, const std::vector<Owner> &before)
+{
+  std::size_t from = x;
+  Real farthest = -1e30;
+  for (int d = 0; d < settings.dimension; d++)
+    for (int step : {-1, 1}) {
+      Node p = node(x);
+      p[d] += step;
+      if (place(p) != FLUID || before[index(p)].sphere >= 0) continue;
+      if (step * before[x].arm[d] <= farthest) continue;
+      farthest = step * before[x].arm[d];
+      from = index(p);
+    }
+  if (from == x) return;
+  const Real rho = density(from);
+  const Vec u = velocity(from);
+  for (std::size_t i = 0; i < dirs.size(); i++)
+    at(f, x, i) +=
+        at(f, from, i) - (equilibrium(i, rho, u) - 1.5 * dirs[i].w * dot(dirs[i].c, force));
 }
 
 // density excess with which fluid neighbours would have sent what arrives here, to first order

@@ -12,7 +12,9 @@ using namespace lbm;
 
 namespace {
 
-const LinkRule RULES[] = {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI};
+const LinkRule RULES[] = {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO};
+const RefillRule REFILLS[] = {RefillRule::GRAD, RefillRule::NORMAL, RefillRule::LOCAL,
+                              RefillRule::EQUILIBRIUM};
 
 std::vector<Sphere> heap(const Int3 &n, int dimension, int count, unsigned seed)
 {
@@ -135,7 +137,7 @@ TEST(Grains, DoNotFeelTheFacesOfAPeriodicBox)
 // what solid nodes hold is never seen, not even when they are uncovered
 TEST(Grains, SolidNodesNeverLeak)
 {
-  for (RefillRule refill : {RefillRule::GRAD, RefillRule::EQUILIBRIUM})
+  for (RefillRule refill : REFILLS)
     for (int kind = 0; kind < 4; kind++) {
       const bool moving = kind & 1, open = kind & 2;
       Settings s;
@@ -184,7 +186,7 @@ TEST(Grains, SolidNodesNeverLeak)
 TEST(Grains, LowViscosityStaysFinite)
 {
   for (LinkRule rule : RULES)
-    for (RefillRule refill : {RefillRule::GRAD, RefillRule::EQUILIBRIUM})
+    for (RefillRule refill : REFILLS)
       for (bool bgk : {false, true}) {
         Settings s;
         s.tau = rule == LinkRule::HALFWAY ? 0.51 : 0.505;

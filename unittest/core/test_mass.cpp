@@ -9,7 +9,7 @@ using namespace lbm;
 
 namespace {
 
-const LinkRule RULES[] = {LinkRule::BOUZIDI, LinkRule::CLI};
+const LinkRule RULES[] = {LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO};
 
 // face-centred cubic cells of 15 nodes, moved off the lattice: solid fraction .74, with gaps
 std::vector<Sphere> bed(double x, double y, double z, int layers)

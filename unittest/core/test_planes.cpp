@@ -238,6 +238,11 @@ TEST(Planes, CouetteIsExactWithBouzidi)
   couette_everywhere<Bouzidi>();
 }
 
+TEST(Planes, CouetteIsExactWithZhao)
+{
+  couette_everywhere<Zhao>();
+}
+
 TEST(Planes, CouetteIsExactWithCli)
 {
   couette_everywhere<Cli>();
@@ -250,6 +255,8 @@ TEST(Planes, CouetteInAGapOfOneNodeIsExact)
     const Shape flat{0, 1, 0.0, 4, height, 1.0 - low};
     couette<D2Q9, Cli>(flat, 0.8, false);
     couette<D2Q9, Bouzidi>(flat, 0.8, false);
+    couette<D2Q9, Zhao>(flat, 0.8, false);
+    couette<D3Q19, Zhao>({0, 1, 0.0, 4, height, 1.0 - low}, 0.7, true);
     couette<D2Q9, Bouzidi>(flat, 0.7, true);
     couette<D3Q19, Cli>({0, 2, 0.0, 4, height, 1.0 - low}, 0.8, false);
     couette<D3Q19, Bouzidi>({2, 0, 0.0, 4, height, 1.0 - low}, 0.8, false);
@@ -287,6 +294,7 @@ TEST(Planes, TiltedPoiseuilleIsOfSecondOrder)
   };
   EXPECT_GT(order(Cli{}, 0.8), 1.8);
   EXPECT_GT(order(Bouzidi{}, 0.8), 1.8);
+  EXPECT_GT(order(Zhao{}, 0.8), 1.8);
   EXPECT_LT(order(Halfway{}, 0.8), 1.5);
 }
 

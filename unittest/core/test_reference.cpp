@@ -88,7 +88,7 @@ void compare(const Case &c)
     ::testing::Test::RecordProperty(what, int(what[0] == 'l' ? links : gaps));
 }
 
-const char *const RULE[] = {"Halfway", "Bouzidi", "Cli"};
+const char *const RULE[] = {"Halfway", "Bouzidi", "Cli", "Zhao"};
 
 // spheres that overlap, leave gaps of one node, cross faces, edges and corners
 std::vector<Sphere> crowd(const Int3 &n, int dimension, int count, bool moving, unsigned seed)
@@ -114,11 +114,19 @@ std::vector<Sphere> crowd(const Int3 &n, int dimension, int count, bool moving, 
   return list;
 }
 
+// each rule with several links
+RefillRule refill_of(LinkRule rule, int variant)
+{
+  if (variant == 0) return RefillRule::GRAD;
+  const RefillRule others[] = {RefillRule::EQUILIBRIUM, RefillRule::NORMAL, RefillRule::LOCAL};
+  return others[(variant - 1 + int(rule) / 2) % 3];
+}
+
 std::vector<Case> crowds()
 {
   std::vector<Case> cases;
   for (int dimension : {2, 3})
-    for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI})
+    for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO})
       for (bool moving : {false, true})
         for (int variant = 0; variant < 3; variant++) {
           Case c;
@@ -126,7 +134,7 @@ std::vector<Case> crowds()
           c.settings.link = rule;
           c.settings.tau = std::array{0.8, 0.55, 1.4}[variant];
           c.settings.bgk = variant == 2;
-          c.settings.refill = variant == 1 ? RefillRule::EQUILIBRIUM : RefillRule::GRAD;
+          c.settings.refill = refill_of(rule, variant);
           c.n = dimension == 2 ? Int3{23, 17, 1} : Int3{11, 9, 10};
           if (variant == 1) c.n = dimension == 2 ? Int3{16, 19, 1} : Int3{8, 13, 7};
           if (variant != 0) c.force = {1e-4, -2e-4, dimension == 3 ? 3e-4 : 0.0};

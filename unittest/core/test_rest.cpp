@@ -10,7 +10,9 @@ using namespace lbm;
 
 namespace {
 
-const LinkRule RULES[] = {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI};
+const LinkRule RULES[] = {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO};
+const RefillRule REFILLS[] = {RefillRule::GRAD, RefillRule::NORMAL, RefillRule::LOCAL,
+                              RefillRule::EQUILIBRIUM};
 
 // Pairs that hide links from each other: .1 apart, touching, overlapping, one node apart
 std::vector<Sphere> pairs(const Vec3 &velocity)
@@ -34,7 +36,7 @@ std::vector<Sphere> pairs(const Vec3 &velocity)
 TEST(Rest, GivesNothingWhereAllIsAtRestOrMovesTogether)
 {
   for (LinkRule rule : RULES)
-    for (RefillRule refill : {RefillRule::GRAD, RefillRule::EQUILIBRIUM})
+    for (RefillRule refill : REFILLS)
       for (const Vec3 &u : {Vec3{}, Vec3{0.1, 0.0, 0.0}, Vec3{0.06, -0.08, 0.05}}) {
         Settings s;
         s.tau = 0.6;

@@ -169,7 +169,7 @@ std::vector<Case> cases()
 {
   std::vector<Case> list;
   for (int dimension : {2, 3})
-    for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI})
+    for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO})
       for (bool moving : {false, true}) list.push_back({dimension, rule, moving, false});
   list.push_back({3, LinkRule::CLI, true, true});
   return list;

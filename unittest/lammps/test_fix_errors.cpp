@@ -55,9 +55,9 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("collision trt 0"), "trt Lambda = 0 must be larger than 0");
   EXPECT_IN(refusal("collision trt -0.2"), "trt Lambda = -0.2 must be larger than 0");
   EXPECT_IN(refusal("collision bgk 0.2"), "unknown keyword '0.2'");
-  EXPECT_IN(refusal("link linear"), "'linear' is none of cli, bouzidi, halfway");
+  EXPECT_IN(refusal("link linear"), "'linear' is none of cli, zhao, bouzidi, halfway");
   EXPECT_IN(refusal("precision half"), "'half' is neither double nor single");
-  EXPECT_IN(refusal("refill none"), "'none' is neither grad nor equilibrium");
+  EXPECT_IN(refusal("refill none"), "'none' is none of grad, normal, local, equilibrium");
   EXPECT_IN(refusal("average maybe"), "Expected boolean parameter instead of 'maybe'");
   EXPECT_IN(refusal("conserve maybe"), "Expected boolean parameter instead of 'maybe'");
   EXPECT_IN(refusal("shrink -1e-5"), "shrink: -1e-05 must not be negative");

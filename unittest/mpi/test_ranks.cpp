@@ -175,14 +175,16 @@ std::vector<Sphere> crowd(const Int3 &n, int dimension, int count, unsigned seed
 // every link rule with either refill; grains cross faces, edges and corners of the ranks
 void moving_crowd(int dimension)
 {
-  for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI}) {
+  for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO}) {
     Scene s;
     s.settings.dimension = dimension;
     s.settings.tau = 0.65;
     s.settings.bgk = rule == LinkRule::BOUZIDI;
     s.settings.link = rule;
     s.settings.tile = rule == LinkRule::HALFWAY ? Int3{} : Int3{8, 3, 3};
-    s.settings.refill = rule == LinkRule::BOUZIDI ? RefillRule::EQUILIBRIUM : RefillRule::GRAD;
+    s.settings.refill = rule == LinkRule::BOUZIDI ? RefillRule::EQUILIBRIUM
+        : rule == LinkRule::ZHAO                  ? RefillRule::NORMAL
+                                                  : RefillRule::GRAD;
     s.n = dimension == 3 ? Int3{19, 13, 14} : Int3{37, 26, 1};
     s.force = {1e-4, -1e-4, dimension == 3 ? 2e-4 : 0.0};
     s.grains = crowd(s.n, dimension, dimension == 3 ? 14 : 12, 5 + int(rule));
@@ -204,7 +206,7 @@ TEST(Ranks, MovingCrowd2D)
 // one small grain, and most ranks have never seen one
 TEST(Ranks, LoneGrainCrossesAll)
 {
-  for (RefillRule refill : {RefillRule::GRAD, RefillRule::EQUILIBRIUM}) {
+  for (RefillRule refill : {RefillRule::GRAD, RefillRule::NORMAL, RefillRule::EQUILIBRIUM}) {
     Scene s;
     s.settings.refill = refill;
     s.n = {16, 12, 12};

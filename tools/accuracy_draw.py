@@ -1,0 +1,194 @@
+"""Figures of ./run accuracy: error against cost, resolution, tau, and what the rules do to a moving sphere."""
+import math
+
+try:
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+except ImportError:
+    plt = None
+
+from accuracy_tables import CASES_3D, MAIN, error, front, is_default, number, of, refinement, rule
+
+COLOUR = {"cli": "C0", "zhao": "C2", "bouzidi": "C1", "halfway": "C3"}
+TITLE = {"array_0.125": "cubic array, solid fraction .125", "array_0.45": "cubic array, .45",
+         "plates": "sphere between plates", "moving": "moving sphere, rms", "settling_E1": "settling, E1",
+         "settling_E3": "settling, E3", "bed": "permeability of a random bed"}
+
+
+def marker(row):
+    if row["precision"] == "single":
+        return "x"
+    return {"trt": "o", "bgk": "s"}.get(row["collision"].split()[0], "d")
+
+
+def scatter(ax, rows, x):
+    for row in rows:
+        ax.loglog(number(row, x), 100 * error(row), marker(row), ms=4, mfc="none", alpha=0.8,
+                  color=COLOUR.get(row["link"], "0.4"))
+
+
+def cost(table, out):
+    """error against core seconds: every choice, the front, the slope of theory"""
+    cases = [case for case in CASES_3D if len(of(table, case)) > 2]
+    if not cases:
+        return
+    columns = min(4, len(cases))
+    figure, axes = plt.subplots(math.ceil(len(cases) / columns), columns, squeeze=False,
+                                figsize=(4.1 * columns, 3.6 * math.ceil(len(cases) / columns)))
+    for ax in axes.flat[len(cases):]:
+        ax.set_axis_off()
+    for ax, case in zip(axes.flat, cases):
+        rows = of(table, case)
+        scatter(ax, rows, "cpu_s")
+        best = front(rows, "cpu_s")
+        ax.loglog([number(r, "cpu_s") for r in best], [100 * error(r) for r in best], "k-", lw=1)
+        mine = refinement(table, case)
+        if len(mine) > 1:
+            x0, y0, x1 = number(mine[0], "cpu_s"), 100 * error(mine[0]), number(mine[-1], "cpu_s")
+            ax.loglog([x0, x1], [y0, y0 * (x1 / x0)**-0.4], "k:", lw=1)
+            ax.loglog([number(r, "cpu_s") for r in mine], [100 * error(r) for r in mine], "C0-", lw=2, alpha=0.4)
+        other = [r for r in table if r["case"] == case.replace("array", "lb_fluid")]
+        for sweep, mark in zip(sorted({r["sweep"] for r in other}), "*Pv^X"):
+            some = [r for r in other if r["sweep"] == sweep]
+            ax.loglog([number(r, "cpu_s") for r in some], [100 * error(r) for r in some], mark + "-", color="0.5", lw=0.8,
+                      ms=6, label="lb/fluid, " + some[0]["link"])
+        if other:
+            ax.legend(fontsize=6)
+        ax.set_title(TITLE[case], fontsize=9)
+        ax.set_xlabel("core seconds", fontsize=8)
+        ax.set_ylabel("error and scatter (%)", fontsize=8)
+    handles = [plt.Line2D([], [], marker="o", ls="", mfc="none", color=c, label=name) for name, c in COLOUR.items()]
+    handles += [plt.Line2D([], [], marker=m, ls="", mfc="none", color="0.4", label=n)
+                for m, n in (("s", "bgk"), ("d", "other Lambda"), ("x", "single precision"))]
+    handles += [plt.Line2D([], [], color="C0", lw=2, alpha=0.4, label="default, refined"),
+                plt.Line2D([], [], color="k", lw=1, label="front"),
+                plt.Line2D([], [], color="k", ls=":", lw=1, label="slope -2/5")]
+    figure.legend(handles=handles, loc="lower center", ncol=6, fontsize=8, frameon=False)
+    figure.tight_layout(rect=(0, 0.07, 1, 1))
+    save(figure, out, "cost")
+
+
+def order(table, out):
+    """error of the default against cells per radius"""
+    figure, ax = plt.subplots(figsize=(6, 4.2))
+    for case in CASES_3D:
+        mine = refinement(table, case)
+        if len(mine) > 1:
+            ax.loglog([number(r, "r_over_dx") for r in mine], [100 * error(r) for r in mine], "o-", ms=4, label=TITLE[case])
+    ax.loglog([2, 16], [8, 8 / 64], "k:", lw=1, label="second order")
+    ax.set_xlabel(r"cells per radius $r/\Delta x$")
+    ax.set_ylabel("error and scatter of the default (%)")
+    ax.legend(fontsize=7)
+    save(figure, out, "order")
+
+
+def tau(table, out):
+    """signed error against tau, at the same resolution"""
+    cases = [c for c in ("array_0.125", "array_0.45", "plates", "bed")
+             if len({r["tau"] for r in of(table, c)}) > 2]
+    if not cases:
+        return
+    figure, axes = plt.subplots(1, len(cases), figsize=(4 * len(cases), 3.6), squeeze=False)
+    for ax, case in zip(axes[0], cases):
+        rows = of(table, case)
+        sizes = [r["r_over_dx"] for r in rows if r["sweep"] == "tau"]
+        rows = [r for r in rows if sizes and r["r_over_dx"] == sizes[0] and r["precision"] == "double"]
+        for name in sorted({(r["collision"], r["link"]) for r in rows}):
+            some = sorted((number(r, "tau"), 100 * number(r, "error")) for r in rows
+                          if (r["collision"], r["link"]) == name)
+            if len(some) > 1:
+                ax.plot(*zip(*some), "o-" if name[0] == "trt" else "s--", ms=4, color=COLOUR[name[1]], mfc="none",
+                        label=" ".join(name))
+        ax.axhline(0, color="0.6", lw=0.8)
+        ax.set_xlabel(r"$\tau$")
+        ax.set_ylabel("error (%)")
+        ax.set_title(f"{TITLE[case]}, r = {float(sizes[0]):.3g} cells" if sizes else TITLE[case], fontsize=9)
+        ax.legend(fontsize=7)
+    save(figure, out, "tau")
+
+
+def surface(table, out):
+    """vortices: error over resolution and tau, and against cost, with the floor of the Mach number"""
+    rows = [r for r in of(table, "taylor_green") if r["collision"] == "trt" and r["precision"] == "double"]
+    taus, sizes = (sorted({number(r, name) for r in rows}) for name in ("tau", "r_over_dx"))
+    if len(taus) < 3 or len(sizes) < 3:
+        return
+    found = {(number(r, "tau"), number(r, "r_over_dx")): error(r) for r in rows}
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4.2))
+    grid = [[math.log10(found.get((t, n), math.nan)) for n in sizes] for t in taus]
+    picture = axes[0].contourf(sizes, [t - 0.5 for t in taus], grid, levels=14, cmap="viridis")
+    axes[0].set_xscale("log")
+    axes[0].set_yscale("log")
+    axes[0].set_xlabel("nodes per half period")
+    axes[0].set_ylabel(r"$\tau - 1/2$, as the fluid time step at equal size")
+    figure.colorbar(picture, label="log10 of the error of the velocity")
+    for k, t in enumerate(taus):
+        some = sorted((number(r, "node_updates"), 100 * error(r)) for r in rows if number(r, "tau") == t)
+        axes[1].loglog(*zip(*some), "o-", ms=3, color=plt.cm.viridis(k / len(taus)), label=rf"$\tau$ = {t:g}")
+    best = front(rows, "node_updates")
+    axes[1].loglog([number(r, "node_updates") for r in best], [100 * error(r) for r in best], "k-", lw=1, label="front")
+    axes[1].set_xlabel("node updates")
+    axes[1].set_ylabel("error of the velocity (%)")
+    axes[1].legend(fontsize=7)
+    save(figure, out, "surface")
+
+
+def moving(table, out):
+    """rms of the force on the moving sphere, by rules"""
+    rows = [r for r in of(table, "moving") if r["sweep"] not in ("dx", "tau") or
+            (r["sweep"] == "dx" and r["r_over_dx"] == "5.5")]
+    if len(rows) < 3:
+        return
+    rows.sort(key=error)
+    figure, ax = plt.subplots(figsize=(7, 0.6 + 0.24 * len(rows)))
+    ax.barh([f"{r['collision']} {r['link']} {r['refill']}" + (" one step" if r["average"] == "no" else "")
+             + (" single" if r["precision"] == "single" else "") for r in rows], [100 * error(r) for r in rows],
+            color=["C0" if is_default(r) else "0.7" for r in rows])
+    ax.set_xscale("log")
+    ax.set_xlabel("rms of the force against that on the fixed sphere (%), r = 5.5 cells")
+    ax.tick_params(labelsize=7)
+    ax.invert_yaxis()
+    save(figure, out, "moving")
+
+
+def small(table, out):
+    """approach to a wall against the gap in cells, impacts against steps per contact, Womersley's flow"""
+    figure, axes = plt.subplots(1, 3, figsize=(13, 3.8))
+    rows = [r for r in table if r["case"] == "lubrication"]
+    for key in sorted({(number(r, "r_over_dx"), r["link"], r["tau"]) for r in rows}):
+        some = sorted((float(r["quantity"].split("_")[2][:-1]) * number(r, "r_over_dx"), 100 * number(r, "error")) for r in rows
+                      if (number(r, "r_over_dx"), r["link"], r["tau"]) == key)
+        axes[0].semilogx(*zip(*some), "o-", ms=4, label=f"r = {key[0]:g}, {key[1]}, tau {key[2]}")
+    axes[0].axhline(0, color="0.6", lw=0.8)
+    axes[0].set_xlabel("gap in cells")
+    axes[0].set_ylabel("error of the force (%)")
+    for case in ("impact_dry", "impact_water"):
+        some = sorted((number(r, "r_over_dx"), 100 * error(r)) for r in table if r["case"] == case and error(r) > 0)
+        if some:
+            axes[1].loglog(*zip(*some), "o-", ms=4, label=case.replace("_", ", "))
+    axes[1].set_xlabel("time steps of a contact")
+    axes[1].set_ylabel("error of the restitution (%)")
+    rows = of(table, "womersley")
+    scatter(axes[2], rows, "r_over_dx")
+    axes[2].set_xlabel("cells per half width, Womersley's flow")
+    axes[2].set_ylabel("error of the mean velocity (%)")
+    for ax in axes[:2]:
+        if ax.get_legend_handles_labels()[0]:
+            ax.legend(fontsize=7)
+    save(figure, out, "other")
+
+
+def save(figure, out, name):
+    if not figure.get_layout_engine() and name != "cost":
+        figure.tight_layout()
+    figure.savefig(out / f"accuracy_{name}.png", dpi=90)
+    plt.close(figure)
+
+
+def draw(table, out):
+    if plt is None:
+        print("no matplotlib: no figures")
+        return
+    for make in (cost, order, tau, surface, moving, small):
+        make(table, out)
