@@ -262,6 +262,7 @@ Obstacles Obstacles::find(const Layout &at, const Place &place, const std::vecto
   Obstacles found;
   found.shapes_ = shapes;
   Search<L>(at, place, found).find();
+  for (Shape &shape : found.shapes_) shape.inside = nullptr;    // not asked again: it may be gone
   return found;
 }
 

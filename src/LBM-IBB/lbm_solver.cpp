@@ -38,23 +38,25 @@ namespace {
         at_end[d][0] = at.lo[d] == 0 && settings.faces[d][0].kind != FaceKind::PERIODIC;
         at_end[d][1] =
             at.lo[d] + at.n[d] == global[d] && settings.faces[d][1].kind != FaceKind::PERIODIC;
+        for (Face &face : this->settings.faces[d])
+          for (int t = 0; t < L::D; t++)
+            if (face.parabolic && between_walls(t)) face.across[t] = global[t];
       }
     }
 
-    void set_obstacles(const std::vector<Shape> &shapes) override
+    std::vector<ShapeReview> set_obstacles(const std::vector<Shape> &shapes) override
     {
-      if (shapes.empty()) return;
+      if (shapes.empty()) return {};
       solids = std::make_unique<Obstacles>(find_obstacles(shapes));
       states.assign(shapes.size(), {});
       now = nullptr;
       provide(now);
       now->place(with_obstacles({}));
+      return over_all(solids->reviews());
     }
     std::vector<ShapeReview> review(const std::vector<Shape> &shapes) override
     {
-      auto found = find_obstacles(shapes).reviews();
-      reduce(found, neighbours);
-      return found;
+      return over_all(find_obstacles(shapes).reviews());
     }
     const std::vector<ObstacleState> &obstacles() const override { return states; }
     void resume_obstacles(const std::vector<ObstacleState> &from) override { states = from; }
@@ -78,7 +80,8 @@ namespace {
       if (block.step() == 0 && same_but_for_order(now->spheres(), spheres)) now->place(spheres);
       moved = !now->same_places(spheres);
       if (moved) {
-        if (before || now->spheres().size() > states.size()) {    // grains at rest need no former one
+        // a scene at rest, but for obstacles, needs no former cover
+        if (before || now->spheres().size() > states.size()) {
           provide(before);
           std::swap(before, now);
         }
@@ -241,6 +244,12 @@ namespace {
       return Obstacles::find<L>(at, place, shapes);
     }
 
+    std::vector<ShapeReview> over_all(std::vector<ShapeReview> reviews)
+    {
+      reduce(reviews, neighbours);
+      return reviews;
+    }
+
     std::vector<Sphere> with_obstacles(std::vector<Sphere> spheres) const
     {
       for (int k = 0; k < solids->count(); k++) {
@@ -273,6 +282,11 @@ namespace {
     const int32_t *owner() const { return now ? now->owner() : nullptr; }
     bool spheres_here() const { return now && !now->spheres().empty(); }
 
+    bool between_walls(int d) const
+    {
+      const auto &face = settings.faces[d];
+      return face[0].kind == FaceKind::WALL && face[1].kind == FaceKind::WALL;
+    }
     Cover::Sides sides() const
     {
       Cover::Sides s;

@@ -45,7 +45,7 @@ class Fluid {
   virtual ~Fluid() = default;
 
   // Solids that are not spheres, before the first follow(); and what such shapes would be. Collective.
-  virtual void set_obstacles(const std::vector<Shape> &shapes) = 0;
+  virtual std::vector<ShapeReview> set_obstacles(const std::vector<Shape> &shapes) = 0;
   virtual std::vector<ShapeReview> review(const std::vector<Shape> &shapes) = 0;
   // what each got, summed over ranks; the next step depends on it
   virtual const std::vector<ObstacleState> &obstacles() const = 0;
