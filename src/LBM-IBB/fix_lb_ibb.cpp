@@ -56,7 +56,7 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   time_depend = 1;    // LAMMPS refuses reset_timestep: the fluid has its own clock
   dynamic_group_allow = 1;
   scalar_flag = vector_flag = peratom_flag = pergrid_flag = 1;
-  size_vector = 14;
+  size_vector = NUMBERS + LOAD * int(options.obstacles.size());
   extscalar = extvector = 0;
   size_peratom_cols = SHOWN;
   global_freq = peratom_freq = pergrid_freq = 1;
@@ -272,8 +272,10 @@ void FixLbIbb::reset_grid()
   check_cut();
   if (!has_started()) return create_fluid();
   lbm::Carried carried(*fluid, {fields->lo(), fields->n()}, world);
+  const auto obstacles = fluid->obstacles();
   create_fluid();
   carried.into(*fluid);
+  fluid->resume_obstacles(obstacles);
   drive_fluid(drive);
 }
 

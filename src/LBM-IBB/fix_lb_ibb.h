@@ -186,6 +186,16 @@ class FixLbIbb : public Fix {
   void give_forces();
   void share_nodes();
 
+  // regions as solids, in fix_lb_ibb_obstacle.cpp: none of this is there without them
+  enum { NUMBERS = 14, LOAD = 6 };        // outputs of all scenes, and of each obstacle
+  std::vector<lbm::ShapeReview> found;    // of each, when the fluid was made
+  std::vector<lbm::Shape> shapes();
+  void make_obstacles();
+  void check_obstacles();
+  std::string describe_obstacles();
+  double obstacle_speed() const;
+  double obstacle_load(int n);
+
   // light grains, in fix_lb_ibb_light.cpp: none of this is there without them
   class FixStoreAtom *light;
   int moving_bits, held_bits;    // groups of fixes that move grains by forces, and that do not
@@ -203,11 +213,17 @@ class FixLbIbb : public Fix {
   bigint light_grains() const;
 
   // restart files, in fix_lb_ibb_restart.cpp
-  struct Saved;                                       // what LAMMPS's own file holds of the fluid
+  struct Saved;             // what LAMMPS's own file holds of the fluid
+  struct SavedObstacle {    // follows that, one for each, and a checksum of them
+    lbm::ObstacleState state;
+    std::uint64_t shape;    // its checksum
+  };
+  std::vector<SavedObstacle> obstacles_to_go_on;
   std::shared_ptr<const Saved> to_write, to_go_on;    // until the fluid itself is written or read
   bool was_saved;                                     // in the restart file that was read?
   bool starts_anew;                                   // although it was
   void read_fluid();
+  void go_on_with_obstacles();
 
   // watching
   void take_survey();

@@ -85,6 +85,8 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
     text += fmt::format(
         "  {} light grains answer to the fluid within its step: implicit coupling\n", yielding);
 
+  text += describe_obstacles();
+
   std::string absent;
   auto has = [&](bool present, const char *name) {
     if (!present) absent += std::string(name) + ", ";

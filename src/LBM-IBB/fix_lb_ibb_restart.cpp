@@ -33,7 +33,7 @@ using namespace LAMMPS_NS;
 struct FixLbIbb::Saved {
   static constexpr int VERSION = 1;
   int version = VERSION, bytes = sizeof(Saved);
-  int has_fluid = 0, columns = SHOWN + COLUMNS, every = 0, padding = 0;
+  int has_fluid = 0, columns = SHOWN + COLUMNS, every = 0, obstacles = 0;
   double dx = 0.0, nu = 0.0, rho = 0.0, dt = 0.0;
   bigint fluid_steps = 0, first_step = 0, last_step = 0;
   Drive drive{};
@@ -74,13 +74,23 @@ void FixLbIbb::write_restart(FILE *fp)
     s->buoyancy_before = buoyancy_before;
     s->fastest = fastest;
     s->fluid = lbm::describe(*fluid, nodes, update->ntimestep, world);
+    s->obstacles = int(found.size());
   }
   s->check = s->right_check();
   to_write = s;
   if (comm->me) return;
-  const int bytes = sizeof(Saved);
+  std::vector<SavedObstacle> solid;
+  for (int k = 0; k < s->obstacles; k++)
+    solid.push_back({fluid->obstacles()[k], found[k].checksum});
+  const std::uint64_t check =
+      lbm::checksum(solid.data(), solid.size() * sizeof(SavedObstacle) / sizeof check);
+  const std::size_t more = solid.empty() ? 0 : solid.size() * sizeof(SavedObstacle) + sizeof(check);
+  const int bytes = int(sizeof(Saved) + more);
   fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(s.get(), bytes, 1, fp);
+  fwrite(s.get(), sizeof(Saved), 1, fp);
+  if (solid.empty()) return;
+  fwrite(solid.data(), sizeof(SavedObstacle), solid.size(), fp);
+  fwrite(&check, sizeof(check), 1, fp);
 }
 
 // LAMMPS has closed its own file by then
@@ -159,6 +169,7 @@ void FixLbIbb::restart(char *buf)
   same("the number of bytes of a population (precision)", s.fluid.bytes_of_population,
        options.single ? sizeof(float) : sizeof(double));
   for (int d = 0; d < 3; d++) same("the number of nodes along a side", s.fluid.nodes[d], nodes[d]);
+  same("the number of obstacles", s.obstacles, double(options.obstacles.size()));
   same("the step (reset_timestep)", double(s.fluid.step), double(update->ntimestep));
   units.dt = s.dt;
   fluid_steps = s.fluid_steps;
@@ -168,6 +179,18 @@ void FixLbIbb::restart(char *buf)
   buoyancy_before = s.buoyancy_before;
   fastest = s.fastest;
   to_go_on = std::make_shared<Saved>(s);
+  if (!s.obstacles) return;
+  const char *solid = buf + sizeof(Saved);
+  obstacles_to_go_on.resize(s.obstacles);
+  const std::size_t bytes = obstacles_to_go_on.size() * sizeof(SavedObstacle);
+  std::memcpy(static_cast<void *>(obstacles_to_go_on.data()), solid, bytes);
+  std::uint64_t check;
+  std::memcpy(&check, solid + bytes, sizeof(check));
+  if (check != lbm::checksum(obstacles_to_go_on.data(), bytes / sizeof(check)))
+    error->all(
+        FLERR,
+        "Fix lb/ibb: the restart file is damaged: the checksum of its obstacles is wrong; go "
+        "on from an older one");
 }
 
 void FixLbIbb::unpack_restart(int nlocal, int nth)
@@ -197,5 +220,22 @@ void FixLbIbb::read_fluid()
   if (comm->me == 0)
     utils::logmesg(lmp, "Fix lb/ibb: goes on from {}, step {}, fluid step {}\n", name,
                    to_go_on->fluid.step, fluid_steps);
+  go_on_with_obstacles();
   to_go_on.reset();
+}
+
+// what was solid holds no fluid: the shapes must be those of the file
+void FixLbIbb::go_on_with_obstacles()
+{
+  std::vector<lbm::ObstacleState> states;
+  for (std::size_t k = 0; k < obstacles_to_go_on.size(); k++) {
+    if (obstacles_to_go_on[k].shape != found[k].checksum)
+      error->all(FLERR,
+                 "Fix lb/ibb keyword obstacle: region {} is not what it was when the restart file "
+                 "was written: define it as it was, or start anew with restart none",
+                 options.obstacles[k].region);
+    states.push_back(obstacles_to_go_on[k].state);
+  }
+  fluid->resume_obstacles(states);
+  obstacles_to_go_on.clear();
 }

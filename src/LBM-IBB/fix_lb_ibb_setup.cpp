@@ -53,6 +53,7 @@ void FixLbIbb::init()
   if (!has_started() || !fluid) create_fluid();
   if (options.calibrated && !has_started())
     radii = std::make_unique<LBRadius>(lmp, options.link_name(), units.tau(options.nu));
+  check_obstacles();
   read_fluid();
   provide_ghosts();
 }
@@ -228,6 +229,7 @@ void FixLbIbb::create_fluid()
       const bool end = comm->myloc[d] == (side == 0 ? 0 : comm->procgrid[d] - 1);
       rank[d][side] = (end && !domain->periodicity[d]) ? MPI_PROC_NULL : comm->procneigh[d][side];
       s.faces[d][side].kind = options.face[d][side].kind;
+      s.faces[d][side].parabolic = options.face[d][side].parabolic;
     }
   s.dimension = domain->dimension;
   s.tau = units.tau(options.nu);
@@ -251,6 +253,7 @@ void FixLbIbb::create_fluid()
                "larger dx",
                n[0], n[1], n[2], failure.what());
   }
+  make_obstacles();
 }
 
 // radii over all ranks, and of grains that other fixes will insert
@@ -304,7 +307,8 @@ void FixLbIbb::review_setup()
     fluid->fill(0.0);    // at rest under the force that acts
   }
   lbm::Plan plan{units, options.nu, nevery, now.pressure_difference, now.face_speed, 0.0,
-                 std::hypot(now.force[0], now.force[1], now.force[2]) / options.rho};
+                 std::hypot(now.force[0], now.force[1], now.force[2]) / options.rho,
+                 obstacle_speed()};
   const double largest = largest_radius(plan.smallest_radius);
   if (plan.smallest_radius <= 0.0 && atom->radius_flag && group->count(igroup) > 0)
     error->all(

@@ -81,6 +81,7 @@ double FixLbIbb::compute_vector(int n)
     neighbours->sum(&links, 1);
     return links;
   }
+  if (n >= NUMBERS) return obstacle_load(n - NUMBERS);
   const double all = double(nodes[0]) * nodes[1] * nodes[2];
   if (n == 13) {
     double mine = speed();
@@ -90,7 +91,8 @@ double FixLbIbb::compute_vector(int n)
   take_survey();
   switch (n) {
     case 2:
-      return std::max(survey.speed.value, fastest.speed) * std::sqrt(3.0);
+      return std::max({survey.speed.value, fastest.speed, obstacle_speed() / units.velocity()}) *
+          std::sqrt(3.0);
     case 3:
       return 1.0 + survey.drho_min.value;
     case 4:

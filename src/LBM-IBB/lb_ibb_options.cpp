@@ -48,7 +48,8 @@ LBOptions LBOptionsParser::parse()
   std::set<std::string> seen;
   while (iarg < narg) {
     std::string name = arg[iarg];
-    if (name == "face" && iarg + 1 < narg) name += std::string(" ") + arg[iarg + 1];
+    if ((name == "face" || name == "obstacle") && iarg + 1 < narg)
+      name += std::string(" ") + arg[iarg + 1];
     if (!seen.insert(name).second)
       error->all(FLERR, iarg, "Fix lb/ibb: '{}' is given twice: remove one of them", name);
     keyword();
@@ -155,11 +156,13 @@ void LBOptionsParser::keyword()
     o.restart = next("name of the restart file or none");
   } else if (name == "face") {
     face();
+  } else if (name == "obstacle") {
+    obstacle();
   } else {
     error->all(FLERR, iarg,
                "Fix lb/ibb (see doc/src/fix_lb_ibb.rst): unknown keyword '{}'; known are every, "
-               "collision, precision, link, refill, face, accel, gradp, buoyancy, shrink, radius, "
-               "average, conserve, coupling, check, restart",
+               "collision, precision, link, refill, face, obstacle, accel, gradp, buoyancy, shrink, "
+               "radius, average, conserve, coupling, check, restart",
                name);
   }
 }
@@ -209,6 +212,8 @@ void LBOptionsParser::face()
   } else if (kind == "velocity") {
     f.kind = FaceKind::VELOCITY;
     f.u = vector(name + " velocity");
+    f.parabolic = iarg + 1 < narg && arg[iarg + 1] == std::string("parabolic");
+    if (f.parabolic) iarg++;
   } else {
     refuse(at, name + ": '" + kind + "' is none of wall, pressure, velocity");
   }
@@ -216,6 +221,36 @@ void LBOptionsParser::face()
     refuse(at,
            fmt::format("{}: the z component of the velocity is {}, it must be 0 with dimension 2",
                        name, f.u[2].text()));
+}
+
+void LBOptionsParser::obstacle()
+{
+  const int at = iarg;
+  LBObstacle solid;
+  solid.region = next("region of an obstacle");
+  std::set<std::string> given;
+  while (iarg + 1 < narg) {
+    const std::string word = arg[iarg + 1];
+    if (word != "velocity" && word != "omega" && word != "about") break;
+    if (!given.insert(word).second)
+      refuse(at,
+             fmt::format("region {}: '{}' is given twice: remove one of them", solid.region, word));
+    iarg++;
+    (word == "velocity"    ? solid.velocity
+         : word == "omega" ? solid.omega
+                           : solid.about) = numbers(solid.region + " " + word);
+  }
+  solid.has_about = given.count("about") > 0;
+  if (solid.omega != lbm::Vec3{} && !solid.has_about)
+    refuse(at,
+           fmt::format("region {}: omega needs a point of its axis: about cx cy cz", solid.region));
+  if (domain->dimension == 2 &&
+      (solid.velocity[2] != 0.0 || solid.omega[0] != 0.0 || solid.omega[1] != 0.0))
+    refuse(at,
+           fmt::format("region {}: with dimension 2 the z component of velocity and the x and y "
+                       "components of omega must be 0",
+                       solid.region));
+  o.obstacles.push_back(solid);
 }
 
 void LBOptionsParser::check_faces() const
@@ -231,6 +266,12 @@ void LBOptionsParser::check_faces() const
                    "Fix lb/ibb: face {} is missing: every face of a non-periodic direction must "
                    "be a wall, a pressure or a velocity face, or the direction periodic",
                    FACE[d][side]);
+      if (o.face[d][side].parabolic && !meets_walls(d))
+        error->all(
+            FLERR,
+            "Fix lb/ibb: face {} is parabolic and lies between no two walls: make a direction "
+            "along it walls on both sides, or the velocity uniform",
+            FACE[d][side]);
       for (int other = d + 1; other < domain->dimension; other++)
         for (int s = 0; s < 2; s++)
           if (open(d, side) && open(other, s))
@@ -255,6 +296,20 @@ void LBOptionsParser::check_flux(int d) const
                "Fix lb/ibb: faces {} and {} contradict each other: the fluid moves with {} through "
                "one and {} through the other: make them equal, or one a pressure face",
                FACE[d][0], FACE[d][1], lo.u[d].constant, hi.u[d].constant);
+  if (given(lo) && given(hi) && lo.u[d].constant != 0.0 && lo.parabolic != hi.parabolic)
+    error->all(FLERR,
+               "Fix lb/ibb: of faces {} and {} one is parabolic and lets less through than the "
+               "other: make both parabolic, or one a pressure face",
+               FACE[d][0], FACE[d][1]);
+}
+
+// are there walls at both ends of a direction along this face?
+bool LBOptionsParser::meets_walls(int d) const
+{
+  for (int t = 0; t < domain->dimension; t++)
+    if (t != d && o.face[t][0].kind == FaceKind::WALL && o.face[t][1].kind == FaceKind::WALL)
+      return true;
+  return false;
 }
 
 // ---------------------------------------------------------------------- words and numbers
@@ -311,5 +366,12 @@ LBVector LBOptionsParser::vector(const std::string &what)
 {
   LBVector v;
   for (auto &component : v) component = value(what);
+  return v;
+}
+
+lbm::Vec3 LBOptionsParser::numbers(const std::string &what)
+{
+  lbm::Vec3 v;
+  for (double &component : v) component = number(what);
   return v;
 }

@@ -36,6 +36,14 @@ struct LBFace {
   lbm::FaceKind kind = lbm::FaceKind::PERIODIC;
   LBVector u;
   LBValue p;
+  bool parabolic = false;
+};
+
+// a region as a solid; its surface may move along itself
+struct LBObstacle {
+  std::string region;
+  lbm::Vec3 velocity{}, omega{}, about{};
+  bool has_about = false;    // else the middle of the region
 };
 
 struct LBOptions {
@@ -51,6 +59,7 @@ struct LBOptions {
   LBVector accel, gradp, buoyancy;
   const char *link_name() const { return LINKS[int(link)]; }
   static constexpr const char *LINKS[] = {"halfway", "bouzidi", "cli", "zhao"};
+  std::vector<LBObstacle> obstacles;
   std::string restart;    // name of a restart file, NONE, or nothing
   static constexpr const char *NONE = "none";
 };
@@ -67,9 +76,11 @@ class LBOptionsParser : protected Pointers {
 
   void keyword();
   void face();
+  void obstacle();
   void check_faces() const;
   void check_radius() const;
   void check_flux(int d) const;
+  bool meets_walls(int d) const;
   [[noreturn]] void refuse(int at, const std::string &why) const;
   const char *next(const std::string &what);
   double number(const std::string &what);
@@ -79,6 +90,7 @@ class LBOptionsParser : protected Pointers {
   LBValue value(const std::string &what);
   LBVector vector(const std::string &what);
   LBVector drive(const std::string &what);
+  lbm::Vec3 numbers(const std::string &what);
 };
 
 }    // namespace LAMMPS_NS

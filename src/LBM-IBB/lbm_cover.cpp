@@ -6,9 +6,10 @@
 
 namespace lbm {
 
-Cover::Cover(const Layout &layout, int dimension, const Sides &sides) :
-    at_(layout), dimension_(dimension), sides_(sides), map_(layout.size + READ_PAST, FLUID),
-    open_(false)
+Cover::Cover(const Layout &layout, int dimension, const Sides &sides,
+             const Obstacles *obstacles) :
+    at_(layout), dimension_(dimension), sides_(sides), obstacles_(obstacles),
+    map_(layout.size + READ_PAST, FLUID), open_(false)
 {
   for (int d = 0; d < 3; d++) {
     lo_[d] = sides[d][0] == NEIGHBOUR ? -at_.ghost[d] : 0;
@@ -106,9 +107,19 @@ void Cover::fill(std::size_t s)
     int32_t *row = &map_[at_.index(0, y, z)];
     for (int x = xa; x <= xb; x++) {
       const int32_t other = row[x];
-      if (other < 0 || deeper(spheres_[s], centre(s), spheres_[other], centre(other), x, y, z))
+      if (other < 0 ||
+          (!is_obstacle(other) &&
+           deeper(spheres_[s], centre(s), spheres_[other], centre(other), x, y, z)))
         row[x] = int32_t(s);
     }
+  });
+}
+
+// their numbers change with that of the spheres, and nodes of spheres that overlapped them are clear
+void Cover::fill_obstacles()
+{
+  obstacles_->for_each_stretch([&](Index first, int n, int k) {
+    std::fill_n(&map_[first], n, int32_t(first_obstacle_) + k);
   });
 }
 
@@ -125,10 +136,13 @@ void Cover::place(const std::vector<Sphere> &list)
     if (dimension_ == 2) c[2] = 0.0;
     centres_.push_back(c);
   }
-  for (std::size_t s = 0; s < spheres_.size(); s++) {
+  first_obstacle_ = spheres_.size() - (obstacles_ ? obstacles_->count() : 0);
+  if (obstacles_) fill_obstacles();
+  for (std::size_t s = 0; s < first_obstacle_; s++) {
     find_rows(spheres_[s], centre(s));
     fill(s);
   }
+  rows_.resize(spheres_.size(), {0, -1, 0, -1, runs_.size()});
 }
 
 bool Cover::same_places(const std::vector<Sphere> &list) const

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Which nodes the spheres cover. A node is solid if it lies strictly inside a sphere; where spheres
 // overlap it belongs to the one it lies deepest in, ties to the smaller id, of two
-// images to the smaller centre: no choice depends on the order of the list or on the rank.
+// images to the smaller centre: no choice depends on the order of the list or on the rank. Obstacles
+// follow the spheres in the list, and keep their nodes whatever overlaps them.
 //
 // Cost: proportional to covered nodes, not to the box.
 
 #ifndef LBM_COVER_H
 #define LBM_COVER_H
 
-#include "lbm_sphere.h"
+#include "lbm_obstacle.h"
 
 #include <vector>
 
@@ -35,9 +36,10 @@ class Cover {
   enum Side { NEIGHBOUR, WALL, OPEN };
   using Sides = std::array<std::array<Side, 2>, 3>;
 
-  Cover(const Layout &layout, int dimension, const Sides &sides);
+  Cover(const Layout &layout, int dimension, const Sides &sides,
+        const Obstacles *obstacles = nullptr);
 
-  // cover these spheres instead of the former ones
+  // cover these spheres, obstacles behind them, instead of the former ones
   void place(const std::vector<Sphere> &list);
   // the same nodes stay covered by the same spheres, which have other velocities now
   void set_velocities(const std::vector<Sphere> &list) { spheres_ = list; }
@@ -58,6 +60,9 @@ class Cover {
   const int32_t *owner() const { return map_.data(); }
   // centre of sphere s in the coordinates of the block, where node (0, 0, 0) is the origin
   const Vec3 &centre(std::size_t s) const { return centres_[s]; }
+  bool is_obstacle(std::size_t s) const { return s >= first_obstacle_; }
+  const Obstacles &obstacles() const { return *obstacles_; }
+  int obstacle(std::size_t s) const { return int(s - first_obstacle_); }
   bool has_open_faces() const { return open_; }
   Side behind(int d, int side) const { return sides_[d][side]; }
   double bytes() const;
@@ -66,6 +71,8 @@ class Cover {
   Layout at_;
   int dimension_;
   Sides sides_;
+  const Obstacles *obstacles_;
+  std::size_t first_obstacle_ = 0;
   Int3 lo_, hi_;    // nodes that may be covered: owned ones and ghosts with a neighbour behind
   std::vector<Sphere> spheres_;
   std::vector<Vec3> centres_;
@@ -79,6 +86,7 @@ class Cover {
   void find_rows(const Sphere &sphere, const Vec3 &c);
   void clear();
   void fill(std::size_t s);
+  void fill_obstacles();
   bool deeper(const Sphere &a, const Vec3 &ca, const Sphere &b, const Vec3 &cb, int x, int y,
               int z) const;
   template <class F> void for_each_row(std::size_t s, F &&f) const;

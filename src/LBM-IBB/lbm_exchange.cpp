@@ -61,24 +61,27 @@ namespace {
   struct Ends {
     const Sphere *sphere[2];    // ahead and behind
     Vec3 centre[2];
+    double round[2];    // 0 of an obstacle, whose normals are not along its arms
     Ends(const Cover &cover, const GapGroup &group) :
         sphere{&cover.spheres()[group.ahead], &cover.spheres()[group.behind]},
-        centre{cover.centre(group.ahead), cover.centre(group.behind)}
+        centre{cover.centre(group.ahead), cover.centre(group.behind)},
+        round{cover.is_obstacle(group.ahead) ? 0.0 : 1.0,
+              cover.is_obstacle(group.behind) ? 0.0 : 1.0}
     {
     }
   };
 
   // e.(u - u') of two walls in as much as they approach each other: along the mean of their
-  // normals, which point along the arms
+  // normals, which point along the arms of spheres; that of a sphere if the other is an obstacle
   template <Motion motion, class V>
   LBM_INLINE inline V approach(const Wall<motion, V> (&wall)[2], const V (&arm)[2][3],
-                               const int (&e)[3])
+                               const double (&round)[2], const int (&e)[3])
   {
     V length[2], n[3], along = V{}, nn = V{}, en = V{};
     for (int k = 0; k < 2; k++)
       length[k] = root(arm[k][0] * arm[k][0] + arm[k][1] * arm[k][1] + arm[k][2] * arm[k][2]);
     for (int d = 0; d < 3; d++) {
-      n[d] = arm[0][d] * length[1] - arm[1][d] * length[0];
+      n[d] = round[0] * arm[0][d] * length[1] - round[1] * arm[1][d] * length[0];
       along = along + n[d] * (wall[0].u[d] - wall[1].u[d]);
       nn = nn + n[d] * n[d];
       en = en + double(e[d]) * n[d];
@@ -120,7 +123,7 @@ namespace {
     V squeezed = V{};
     if constexpr (motion != Motion::REST) {
       const V rho = 1.0 + convert<V>(gather<W>(drho, n));
-      squeezed = (1.5 * L::w[i]) * rho * approach(wall, arm, L::e[i]);
+      squeezed = (1.5 * L::w[i]) * rho * approach(wall, arm, ends.round, L::e[i]);
       for (int k = 0; k < 2; k++) {
         pushed[k] = (3.0 * L::w[i]) * rho * wall[k].eu;
         known[k] = known[k] - c4[k] * (pushed[k] - squeezed);
@@ -180,11 +183,13 @@ namespace {
 
   // Fluid at rest would give 2 w drho e to s, and the opposite to t. The links from s to t, found
   // with sphere t on the rank that owns their first node, do it once more: half of it each. What is
-  // behind a face does not.
+  // behind a face does not, nor does an obstacle, around which there may be any density.
   void press_apart(const Cover &cover, const Hidden &hidden, std::vector<Load> &loads)
   {
-    if (hidden.t < 0) {
-      add_pressure(cover, hidden, hidden.s, 2.0 * cover.spheres()[hidden.s].drho, loads);
+    if (hidden.t < 0 || cover.is_obstacle(hidden.t)) {
+      const double p = 2.0 * cover.spheres()[hidden.s].drho;
+      add_pressure(cover, hidden, hidden.s, p, loads);
+      if (hidden.t >= 0) add_pressure(cover, hidden, hidden.t, -p, loads);
       return;
     }
     const double drho = 0.5 * (cover.spheres()[hidden.s].drho + cover.spheres()[hidden.t].drho);

@@ -61,6 +61,16 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
     return false;
   };
 
+  auto velocity = [&](const Int3 &p) {
+    Vec3 u = face.u;
+    for (int t = 0; t < L::D; t++) {
+      if (!face.across[t]) continue;
+      const double h = (p[t] + at.lo[t] + 0.5) / face.across[t];
+      for (double &component : u) component *= 4.0 * h * (1.0 - h);
+    }
+    return u;
+  };
+
   for_each_node(at, d, side, [&](Index n, const Int3 &p) {
     if (owner && owner[n] >= 0) return;
     double in_plane = 0.0, outgoing = 0.0;
@@ -79,9 +89,10 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
       for (int t = 0; t < 3; t++) j[t] = -0.5 * force[t];
       j[d] = inward * (face.drho - in_plane - 2.0 * outgoing);
     } else {
-      const double un = face.u[d] * inward;
+      const Vec3 u = velocity(p);
+      const double un = u[d] * inward;
       const double drho = (in_plane + 2.0 * outgoing - Fn + un) / (1.0 - un);
-      for (int t = 0; t < 3; t++) j[t] = (1.0 + drho) * face.u[t] - 0.5 * force[t];
+      for (int t = 0; t < 3; t++) j[t] = (1.0 + drho) * u[t] - 0.5 * force[t];
     }
     for (int i = 1; i < L::Q; i++) {
       const int(&e)[3] = L::e[i];

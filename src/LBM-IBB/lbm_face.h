@@ -17,6 +17,10 @@ struct Face {
   FaceKind kind = FaceKind::PERIODIC;
   Vec3 u{};             // of a wall (tangential), or of the fluid at a velocity face
   double drho = 0.0;    // density excess at a pressure face, 3 p
+  // of a velocity face: a parabola between walls that meet it, of which u is the largest; across are
+  // the nodes between these walls, 0 where there are none
+  bool parabolic = false;
+  Int3 across{};
   bool open() const { return kind == FaceKind::PRESSURE || kind == FaceKind::VELOCITY; }
 };
 

@@ -103,7 +103,8 @@ namespace {
            Links &links) :
         at(at),
         cover(cover), decode(at), s(s), owner(cover.owner()), c(cover.centre(s)),
-        open_faces(cover.has_open_faces()), links(links), first_hidden(links.hidden.size())
+        obstacle(cover.is_obstacle(s)), open_faces(cover.has_open_faces()), links(links),
+        first_hidden(links.hidden.size())
     {
       const Region near = nodes_with_links(cover, s);
       for (int d = 0; d < 3; d++) {
@@ -115,7 +116,7 @@ namespace {
     void find()
     {
       if (lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]) return;
-      hide_at_faces();
+      if (!obstacle) hide_at_faces();
       // bit 0 and bit 63 are neighbours of nodes looked at only
       for (x0 = lo[0] - 1; x0 < hi[0]; x0 += 62) {
         read_bits();
@@ -134,7 +135,7 @@ namespace {
     const std::size_t s;
     const int32_t *owner;
     const Vec3 c;
-    const bool open_faces;
+    const bool obstacle, open_faces;
     Links &links;
     const std::size_t first_hidden;
     Int3 lo, hi;
@@ -245,7 +246,7 @@ namespace {
           const uint64_t found = window & ~here->equal & seen_from<ex>(ahead->equal);
           if (!found) continue;
           const uint64_t fluid = found & here->negative;
-          if (fluid != found) hide(i, found & ~fluid, y, z);
+          if (fluid != found && !obstacle) hide(i, found & ~fluid, y, z);
           const uint64_t free = seen_from<-ex>(behind->negative);
           if (i <= L::P && (fluid & ~free)) add_gaps(i, fluid & ~free, y, z);
           add_links(fluid & free, y, z);
@@ -283,11 +284,15 @@ namespace {
       const int32_t *node = links.node.data();
       double *q = links.q.data();
       const int(&e)[3] = L::e[i];
+      if (obstacle) {
+        cover.obstacles().fractions(node + begin, links.size - begin, i, q + begin);
+      } else {
 #pragma GCC ivdep
-      for (std::size_t k = begin; k < links.size; k++) {
-        double x[3];
-        decode(node[k], x);
-        q[k] = cut({x[0] - c[0], x[1] - c[1], x[2] - c[2]}, e, r);
+        for (std::size_t k = begin; k < links.size; k++) {
+          double x[3];
+          decode(node[k], x);
+          q[k] = cut({x[0] - c[0], x[1] - c[1], x[2] - c[2]}, e, r);
+        }
       }
       for (std::size_t k : at_open_face) q[k] = 0.5;
       at_open_face.clear();
@@ -369,6 +374,7 @@ namespace {
         return a.behind < b.behind;
       });
       const auto fraction = [&](int32_t node, int32_t sphere, int direction) {
+        if (cover.is_obstacle(sphere)) return cover.obstacles().fraction(node, direction);
         const Vec3 &c = cover.centre(sphere);
         double x[3];
         decode(node, x);
@@ -386,6 +392,7 @@ namespace {
 
 Region nodes_with_links(const Cover &cover, std::size_t s)
 {
+  if (cover.is_obstacle(s)) return cover.obstacles().nodes_with_links(cover.obstacle(s));
   const double reach = cover.spheres()[s].radius + 1.0;
   Region region;
   for (int d = 0; d < 3; d++) {

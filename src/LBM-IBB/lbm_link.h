@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Cut links: an owned fluid node x_f whose neighbour x_s = x_f + e_i is covered by a sphere.
+// Cut links: an owned fluid node x_f whose neighbour x_s = x_f + e_i is covered by a sphere, or by an
+// obstacle, which is one more in the list of spheres.
 //
 //     x_f' = x_f - e_i        x_f ---- q ----|---- x_s        q = |x_f - x_w| / |x_f - x_s| (eq. 16)
 //
@@ -50,7 +51,8 @@ struct Gaps {
 
 // Links between the nodes of two spheres that touch, or nearly, or of a sphere and what lies behind
 // a face of the box: no fluid is there to press the two apart. Sums over such links from nodes of t
-// to nodes of s; w weighs them as populations do.
+// to nodes of s; w weighs them as populations do. Those to nodes of an obstacle are left out: only
+// the way back counts, so that an obstacle has no list of all it touches.
 struct Hidden {
   int32_t s = 0, t = FLUID;    // t = FLUID: behind a face
   Vec3 we{},

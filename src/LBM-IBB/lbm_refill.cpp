@@ -254,7 +254,8 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
   for (const Index n : pockets) {
     const Int3 p = at.node(n);
     Moments m{0.0, {}};
-    int around = 0, arriving = 0;    // population that comes from the fluid neighbour
+    int around = 0, spheres = 0, arriving = 0;    // population that comes from the fluid neighbour
+    double at_obstacles = 0.0;                    // along which the density changes: the last choice
     bool at_open_face = false;
     for (int i = 1; i < L::Q; i++) {
       const int(&e)[3] = L::e[i];
@@ -267,12 +268,13 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
       const Sphere &sphere = cover.spheres()[s];
       const Vec3 &c = cover.centre(s);
       const Vec3 u = sphere.velocity_at({p[0] - c[0], p[1] - c[1], p[2] - c[2]});
-      m.drho += sphere.drho;
       for (int d = 0; d < L::D; d++) m.u[d] += u[d];
       around++;
+      (cover.is_obstacle(s) ? at_obstacles : m.drho) += sphere.drho;
+      spheres += !cover.is_obstacle(s);
     }
     if (at_open_face) continue;    // which sets the node
-    m.drho /= around;
+    m.drho = spheres ? m.drho / spheres : at_obstacles / around;
     for (double &u : m.u) u /= around;
     if (arriving) {    // what the node held, less what it sent there, and what came from there
       const int sent = opposite<L>(arriving);

@@ -57,15 +57,14 @@ namespace {
                p.units.dt)});
   }
 
-  void review_speed(const Plan &p, std::vector<Finding> &found)
+  void review_speed(const Plan &p, double speed, const char *where, std::vector<Finding> &found)
   {
-    const double Ma = p.face_speed / p.units.sound_speed();
+    const double Ma = speed / p.units.sound_speed();
     if (Ma <= MACH_WARN) return;
-    found.push_back(
-        {Ma > MACH_LIMIT,
-         print("speed %g prescribed at a face is Ma = %.3g of the lattice's sound speed, "
-               "limit %g: reduce the fluid time step (timestep, every) or enlarge dx",
-               p.face_speed, Ma, Ma > MACH_LIMIT ? MACH_LIMIT : MACH_WARN)});
+    found.push_back({Ma > MACH_LIMIT,
+                     print("speed %g prescribed at %s is Ma = %.3g of the lattice's sound speed, "
+                           "limit %g: reduce the fluid time step (timestep, every) or enlarge dx",
+                           speed, where, Ma, Ma > MACH_LIMIT ? MACH_LIMIT : MACH_WARN)});
   }
 
   // half of the force of a step is in the velocity of that step
@@ -109,7 +108,8 @@ std::vector<Finding> review(const Plan &plan)
   std::vector<Finding> found;
   review_tau(plan, found);
   review_pressure(plan, found);
-  review_speed(plan, found);
+  review_speed(plan, plan.face_speed, "a face", found);
+  review_speed(plan, plan.obstacle_speed, "the surface of an obstacle", found);
   review_acceleration(plan, found);
   review_radius(plan, found);
   review_every(plan, found);

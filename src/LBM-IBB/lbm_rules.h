@@ -42,6 +42,7 @@ struct Plan {
   double face_speed = 0.0;             // largest speed prescribed at a face
   double smallest_radius = 0.0;        // hydrodynamic; 0 if there are no grains
   double acceleration = 0.0;           // of the fluid, by what drives it
+  double obstacle_speed = 0.0;         // largest of the surface of an obstacle
 };
 
 std::vector<Finding> review(const Plan &plan);

@@ -6,6 +6,7 @@
 #include "lbm_sweep.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -37,10 +38,38 @@ namespace {
         at_end[d][0] = at.lo[d] == 0 && settings.faces[d][0].kind != FaceKind::PERIODIC;
         at_end[d][1] =
             at.lo[d] + at.n[d] == global[d] && settings.faces[d][1].kind != FaceKind::PERIODIC;
+        for (Face &face : this->settings.faces[d])
+          for (int t = 0; t < L::D; t++)
+            if (face.parabolic && between_walls(t)) face.across[t] = global[t];
       }
     }
 
+    std::vector<ShapeReview> set_obstacles(const std::vector<Shape> &shapes) override
+    {
+      if (shapes.empty()) return {};
+      solids = std::make_unique<Obstacles>(find_obstacles(shapes));
+      states.assign(shapes.size(), {});
+      now = nullptr;
+      provide(now);
+      now->place(with_obstacles({}));
+      return over_all(solids->reviews());
+    }
+    std::vector<ShapeReview> review(const std::vector<Shape> &shapes) override
+    {
+      return over_all(find_obstacles(shapes).reviews());
+    }
+    const std::vector<ObstacleState> &obstacles() const override { return states; }
+    void resume_obstacles(const std::vector<ObstacleState> &from) override { states = from; }
+
     void follow(const std::vector<Sphere> &spheres) override
+    {
+      if (solids)
+        follow_bodies(with_obstacles(spheres));
+      else
+        follow_bodies(spheres);
+    }
+
+    void follow_bodies(const std::vector<Sphere> &spheres)
     {
       if (!now && spheres.empty()) {
         refill_uncovered();
@@ -51,7 +80,8 @@ namespace {
       if (block.step() == 0 && same_but_for_order(now->spheres(), spheres)) now->place(spheres);
       moved = !now->same_places(spheres);
       if (moved) {
-        if (before || !now->spheres().empty()) {    // a scene at rest needs no former cover
+        // a scene at rest, but for obstacles, needs no former cover
+        if (before || now->spheres().size() > states.size()) {
           provide(before);
           std::swap(before, now);
         }
@@ -79,6 +109,7 @@ namespace {
       }
       open_faces();
       find_responses();
+      if (solids) take_from_obstacles(loads);
     }
     const std::vector<Response> &responses() const override { return responses_; }
     const std::vector<Sphere> &spheres() const override
@@ -140,7 +171,10 @@ namespace {
     }
     std::vector<Sphere> own_spheres() const override
     {
-      return now ? centred_here(now->spheres(), at, lattice) : std::vector<Sphere>{};
+      if (!now) return {};
+      auto spheres = now->spheres();
+      spheres.resize(spheres.size() - states.size());
+      return centred_here(spheres, at, lattice);
     }
     void resume(const std::vector<Sphere> &grains, const Counts &so_far) override
     {
@@ -148,7 +182,7 @@ namespace {
       const auto spheres = reaching_here(grains, at, lattice);
       if (spheres.empty()) return;
       provide(now);
-      now->place(spheres);
+      now->place(solids ? with_obstacles(spheres) : spheres);
       pass.recall(*now);
     }
 
@@ -167,7 +201,7 @@ namespace {
     double bytes() const override
     {
       return block.bytes() + (now ? now->bytes() : 0.0) + (before ? before->bytes() : 0.0) +
-          double(drho.capacity() * sizeof(float)) + pass.bytes();
+          double(drho.capacity() * sizeof(float)) + pass.bytes() + (solids ? solids->bytes() : 0.0);
     }
 
    private:
@@ -182,6 +216,10 @@ namespace {
     Vec3 force{};
     AtEnd at_end;
 
+    // nothing of this exists without obstacles; states are the same on all ranks
+    std::unique_ptr<Obstacles> solids;
+    std::vector<ObstacleState> states;
+
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
     bool moved = false;
@@ -192,11 +230,63 @@ namespace {
 
     void provide(std::unique_ptr<Cover> &cover) const
     {
-      if (!cover) cover = std::make_unique<Cover>(at, L::D, sides());
+      if (!cover) cover = std::make_unique<Cover>(at, L::D, sides(), solids.get());
     }
+
+    Obstacles find_obstacles(const std::vector<Shape> &shapes) const
+    {
+      const auto behind = sides();
+      Place place{lattice.n, lattice.periodic, {}, {}};
+      for (int d = 0; d < 3; d++) {
+        place.lo[d] = behind[d][0] == Cover::NEIGHBOUR ? -at.ghost[d] : 0;
+        place.hi[d] = at.n[d] - 1 + (behind[d][1] == Cover::NEIGHBOUR ? at.ghost[d] : 0);
+      }
+      return Obstacles::find<L>(at, place, shapes);
+    }
+
+    std::vector<ShapeReview> over_all(std::vector<ShapeReview> reviews)
+    {
+      reduce(reviews, neighbours);
+      return reviews;
+    }
+
+    std::vector<Sphere> with_obstacles(std::vector<Sphere> spheres) const
+    {
+      for (int k = 0; k < solids->count(); k++) {
+        spheres.push_back(solids->body(k));
+        spheres.back().drho = states[k].last.drho();
+        if (settings.ledger)
+          spheres.back().refund =
+              refund(states[k].last.swallowed, states[k].before.swallowed, states[k].last.area);
+      }
+      return spheres;
+    }
+
+    // collective: what they got here is the end of the list
+    void take_from_obstacles(std::vector<Load> &loads)
+    {
+      static_assert(sizeof(Load) == 9 * sizeof(double), "sums are numbers alone");
+      const std::size_t grains = loads.size() - states.size();
+      std::vector<double> sums(9 * states.size());
+      std::memcpy(sums.data(), &loads[grains], sums.size() * sizeof(double));
+      neighbours.sum(sums.data(), int(sums.size()));
+      for (std::size_t k = 0; k < states.size(); k++) {
+        states[k].before = states[k].last;
+        std::memcpy(static_cast<void *>(&states[k].last), &sums[9 * k], sizeof(Load));
+        states[k].steps += 1.0;
+      }
+      loads.resize(grains);
+      if (!responses_.empty()) responses_.resize(grains);
+    }
+
     const int32_t *owner() const { return now ? now->owner() : nullptr; }
     bool spheres_here() const { return now && !now->spheres().empty(); }
 
+    bool between_walls(int d) const
+    {
+      const auto &face = settings.faces[d];
+      return face[0].kind == FaceKind::WALL && face[1].kind == FaceKind::WALL;
+    }
     Cover::Sides sides() const
     {
       Cover::Sides s;

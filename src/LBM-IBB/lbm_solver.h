@@ -14,6 +14,7 @@
 #include "lbm_link_pass.h"
 #include "lbm_monitor.h"
 #include "lbm_neighbours.h"
+#include "lbm_obstacle.h"
 #include "lbm_profile.h"
 #include "lbm_refill.h"
 #include "lbm_state.h"
@@ -43,6 +44,13 @@ class Fluid {
                                        const Int3 &global, Neighbours &neighbours);
   virtual ~Fluid() = default;
 
+  // Solids that are not spheres, before the first follow(); and what such shapes would be. Collective.
+  virtual std::vector<ShapeReview> set_obstacles(const std::vector<Shape> &shapes) = 0;
+  virtual std::vector<ShapeReview> review(const std::vector<Shape> &shapes) = 0;
+  // what each got, summed over ranks; the next step depends on it
+  virtual const std::vector<ObstacleState> &obstacles() const = 0;
+  virtual void resume_obstacles(const std::vector<ObstacleState> &states) = 0;
+
   // Spheres that reach this rank's nodes or ghosts, periodic images among them. Collective.
   virtual void follow(const std::vector<Sphere> &spheres) = 0;
   // One step. loads[s] is the momentum that sphere s of the last follow() got through links of this
@@ -50,7 +58,8 @@ class Fluid {
   virtual void advance(std::vector<Load> &loads) = 0;
   // of the spheres of the last follow() if any of them yields, else empty; to be summed as loads
   virtual const std::vector<Response> &responses() const = 0;
-  virtual const std::vector<Sphere> &spheres() const = 0;    // of the last follow() or resume()
+  // of the last follow() or resume(), obstacles after them
+  virtual const std::vector<Sphere> &spheres() const = 0;
   // Before the next follow(): by how much they were faster than handed in, by sphere of the last.
   virtual void correct(const std::vector<Gain> &gains) = 0;
 

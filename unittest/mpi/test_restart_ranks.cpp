@@ -242,6 +242,22 @@ TEST_F(RestartRanks, Discs)
                     990});
 }
 
+// with what an obstacle swallowed and got, kept links or not
+TEST_F(RestartRanks, Obstacles)
+{
+  const std::string regions = "\nregion ball sphere " + at({9.1, 8.2, 5.4}) + " " + num(3.7 * DX) +
+      "\nregion floor block INF INF INF INF INF " + num(1.3 * DX);
+  const std::string drive = "accel 1e-3 0 0 face zlo wall face zhi wall obstacle floor obstacle ball";
+  compare_restarts({{16, 14, 19}, "p p f", "", regions, drive, 21, 30});
+  compare_restarts({{16, 14, 19},
+                    "p p f",
+                    grain(1, {8.3, 8.1, 12.2}, 3.3, {4e-3, -4e-3, -1e-3}),
+                    regions + "\nfix m all nve/sphere",
+                    drive + " omega 0 0 20 about " + at({9.1, 8.2, 5.4}),
+                    21,
+                    30});
+}
+
 TEST_F(RestartRanks, NoGrains)
 {
   compare_restarts({{9, 7, 8},
