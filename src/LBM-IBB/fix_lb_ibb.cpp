@@ -56,7 +56,7 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   time_depend = 1;    // LAMMPS refuses reset_timestep: the fluid has its own clock
   dynamic_group_allow = 1;
   scalar_flag = vector_flag = peratom_flag = pergrid_flag = 1;
-  size_vector = 14;
+  size_vector = FIRST_OF_LEDGER + UNACCOUNTED + 3;
   extscalar = extvector = 0;
   size_peratom_cols = SHOWN;
   global_freq = peratom_freq = pergrid_freq = 1;
@@ -166,6 +166,7 @@ void FixLbIbb::end_of_step()
   place_grains();
   const double placed = platform::walltime();
   fluid->follow(spheres);
+  if (fluid_steps % options.check == 0) fluid->inspect();
   fluid->advance(loads);
   const double advanced = platform::walltime();
   give_forces();
@@ -268,6 +269,7 @@ void FixLbIbb::reset_grid()
   lbm::Carried carried(*fluid, {fields->lo(), fields->n()}, world);
   create_fluid();
   carried.into(*fluid);
+  fluid->inspect();
   drive_fluid(drive);
 }
 

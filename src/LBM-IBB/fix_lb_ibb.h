@@ -194,6 +194,12 @@ class FixLbIbb : public Fix {
   bool starts_anew;                                   // although it was
   void read_fluid();
 
+  // mass ledger, in fix_lb_ibb_ledger.cpp; its entries are the last of the global vector
+  enum { FIRST_OF_LEDGER = 14, UNACCOUNTED = lbm::Ledger::ACCOUNTS };
+  double unaccounted(const lbm::Ledger &ledger);
+  double ledger_entry(int n);
+  std::string ledger_report() const;
+
   // watching
   void take_survey();
   lbm::Vec3 total_force();

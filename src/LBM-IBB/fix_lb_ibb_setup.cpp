@@ -232,7 +232,7 @@ void FixLbIbb::create_fluid()
   s.magic = options.magic;
   s.link = options.link;
   s.refill = options.refill;
-  s.ledger = options.conserve;
+  s.ledger = s.hold_mean = options.conserve;
   // a single message for what no user can mend but by other numbers
   for (const auto &finding : lbm::review({units, options.nu, nevery, 0.0, 0.0, 0.0}))
     if (finding.fatal) error->all(FLERR, "Fix lb/ibb: {}", finding.text);

@@ -81,6 +81,7 @@ double FixLbIbb::compute_vector(int n)
     neighbours->sum(&links, 1);
     return links;
   }
+  if (n >= FIRST_OF_LEDGER) return ledger_entry(n - FIRST_OF_LEDGER);
   const double all = double(nodes[0]) * nodes[1] * nodes[2];
   if (n == 13) {
     double mine = speed();

@@ -114,4 +114,123 @@ TEST_P(LedgerOf, AllThatTheFluidGains)
 
 INSTANTIATE_TEST_SUITE_P(Scene, LedgerOf, testing::ValuesIn(all()));
 
+// ---- the mean density of a closed box
+
+class ClosedBox : public testing::TestWithParam<std::pair<int, bool>> {
+ protected:
+  const int dimension = GetParam().first;
+  const bool single = GetParam().second;
+  const Int3 n = dimension == 3 ? Int3{34, 17, 17} : Int3{54, 54, 1};
+  Settings settings;
+
+  ClosedBox()
+  {
+    settings.dimension = dimension;
+    settings.single = single;
+    settings.tau = 0.7;
+  }
+
+  // A dense bed, every grain on a path of its own: solid fraction .53, in two dimensions .57
+  std::vector<Sphere> bed(int t) const
+  {
+    const double basis[4][3] = {{.1, .13, .25}, {.6, .63, .25}, {.6, .13, .75}, {.1, .63, .75}};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<Sphere> list;
+    for (int k = 0; k < (dimension == 3 ? 8 : 16); k++) {
+      const double *b = basis[k % 4];
+      Vec3 c{17 * (k / 4 + b[0]), 17 * b[1], 17 * b[2]}, v{};
+      if (dimension == 2) c = {13.5 * (k % 4) + 6.7, 13.5 * (k / 4) + 6.7, 0.5};
+      const double r = 5.3 + (dimension == 3 ? 0.3 : 0.5) * unit(random);
+      for (int d = 0; d < dimension; d++) {
+        const double far = 0.12 + 0.12 * unit(random), w = 8e-3 + 8e-3 * unit(random);
+        const double phase = 2.0 * M_PI * unit(random);
+        c[d] += far * std::sin(w * t + phase);
+        v[d] = far * w * std::cos(w * t + phase);
+      }
+      list.push_back(scene::sphere(k, c, r, v, {0.0, 0.0, 1e-3}));
+    }
+    return list;
+  }
+
+  static double mean_excess(const Survey &s) { return (s.mass - s.fluid_nodes) / s.fluid_nodes; }
+
+  // how far the mean density has gone in a thousand steps, the mean of some as it rings
+  double drift(bool hold, double excess)
+  {
+    settings.hold_mean = hold;
+    scene::Box box(settings, n);
+    box.conserve = true;
+    box.fluid->fill(excess);
+    double mean[2] = {};
+    for (int t = 0; t < 1200; t++) {
+      box.follow(bed(t));
+      if (t % 100 == 0) box.fluid->inspect();
+      box.advance();
+      if (t < 200 || t >= 1000) mean[t >= 1000] += mean_excess(box.fluid->survey()) / 200.0;
+    }
+    if (hold) EXPECT_NEAR(mean[0], excess, 1e-5);
+    const Ledger ledger = box.fluid->ledger();
+    EXPECT_EQ(ledger.gain(Ledger::RESTORED) != 0.0, hold);
+    const double start = (1.0 + excess) * n[0] * n[1] * n[2], end = box.fluid->survey().mass;
+    EXPECT_NEAR(end - start, ledger.total(), (single ? 1e-7 : 1e-13) * start);
+    return std::abs(mean[1] - mean[0]);
+  }
+};
+
+TEST_P(ClosedBox, KeepsItsMeanDensityIfWanted)
+{
+  const double with = drift(true, 0.0), without = drift(false, 0.0);
+  EXPECT_LT(with, 1e-6);
+  EXPECT_GT(without, 1e-5);
+}
+
+// that at which the grains began to move, whatever it was
+TEST_P(ClosedBox, AtWhicheverDensityItBegan)
+{
+  EXPECT_LT(drift(true, 0.01), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, ClosedBox,
+                         testing::Values(std::make_pair(2, false), std::make_pair(2, true),
+                                         std::make_pair(3, false)));
+
+// what is given is at rest, and presses on no side more than on another
+TEST(MeanDensity, IsKeptWithoutForceOrMomentum)
+{
+  Vec3 force[2], momentum[2];
+  for (bool hold : {false, true}) {
+    Settings s;
+    s.tau = 0.7;
+    s.hold_mean = hold;
+    scene::Box box(s, {24, 20, 20});
+    box.conserve = true;
+    const std::vector<Sphere> grain{scene::sphere(1, {12.3, 10.1, 9.8}, 6.2, {2e-3, 1e-3, 0})};
+    for (int t = 0; t < 300; t++) box.step(scene::drifted(grain, t));
+    force[hold] = box.loads[0].force;
+    momentum[hold] = box.fluid->survey().momentum;
+    EXPECT_EQ(box.fluid->ledger().gain(Ledger::RESTORED) != 0.0, hold);
+  }
+  for (int d = 0; d < 3; d++) {
+    EXPECT_NEAR(force[1][d], force[0][d], 1e-4 * scene::norm(force[0]));
+    EXPECT_NEAR(momentum[1][d], momentum[0][d], 1e-4 * scene::norm(momentum[0]));
+  }
+}
+
+// nor where water can come and go, nor where nothing moves
+TEST(MeanDensity, IsLeftAloneWhereItNeedNotBeKept)
+{
+  for (bool open : {false, true}) {
+    Settings s;
+    s.hold_mean = true;
+    if (open) s.faces[2][0].kind = s.faces[2][1].kind = FaceKind::PRESSURE;
+    scene::Box box(s, {20, 18, 22}, {1e-5, 0, 2e-5});
+    const std::vector<Sphere> grain{
+        scene::sphere(1, {9.3, 8.1, 9.8}, 5.2, {open ? 2e-3 : 0.0, 0, 0}, {0, 0, 1e-3})};
+    for (int t = 0; t < 50; t++) box.step(scene::drifted(grain, t));
+    EXPECT_EQ(box.fluid->ledger().gain(Ledger::RESTORED), 0.0);
+    EXPECT_NE(box.fluid->ledger().gain(Ledger::SWALLOWED), 0.0);
+  }
+}
+
 }    // namespace
