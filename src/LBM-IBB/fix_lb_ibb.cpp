@@ -166,6 +166,7 @@ void FixLbIbb::end_of_step()
   place_grains();
   const double placed = platform::walltime();
   fluid->follow(spheres);
+  if (fluid_steps % options.check == 0) fluid->inspect();
   fluid->advance(loads);
   const double advanced = platform::walltime();
   give_forces();
@@ -276,6 +277,7 @@ void FixLbIbb::reset_grid()
   create_fluid();
   carried.into(*fluid);
   fluid->resume_obstacles(obstacles);
+  fluid->inspect();
   drive_fluid(drive);
 }
 

@@ -27,7 +27,7 @@ FixStyle(lb/ibb,FixLbIbb);
 namespace lbm {
 class MpiNeighbours;
 struct Sample;
-}
+}    // namespace lbm
 
 namespace LAMMPS_NS {
 
@@ -187,7 +187,7 @@ class FixLbIbb : public Fix {
   void share_nodes();
 
   // regions as solids, in fix_lb_ibb_obstacle.cpp: none of this is there without them
-  enum { NUMBERS = 14, LOAD = 6 };        // outputs of all scenes, and of each obstacle
+  enum { NUMBERS = 30, LOAD = 6 };        // outputs of all scenes, and of each obstacle
   std::vector<lbm::ShapeReview> found;    // of each, when the fluid was made
   std::vector<lbm::Shape> shapes();
   void make_obstacles();
@@ -224,6 +224,12 @@ class FixLbIbb : public Fix {
   bool starts_anew;                                   // although it was
   void read_fluid();
   void go_on_with_obstacles();
+
+  // mass ledger, in fix_lb_ibb_ledger.cpp; its entries are the last of the global vector
+  enum { FIRST_OF_LEDGER = 14, UNACCOUNTED = lbm::Ledger::ACCOUNTS };
+  double unaccounted(const lbm::Ledger &ledger);
+  double ledger_entry(int n);
+  std::string ledger_report() const;
 
   // watching
   void take_survey();

@@ -33,8 +33,8 @@ std::string FixLbIbb::expected_errors(double smallest)
   if (accuracy.empty()) return fmt::format("  errors to expect are not known: {}\n", why);
   const double r = smallest / options.dx;
   return fmt::format(
-      "  errors to expect at {:.3g} cells per radius, from lone grains to dense beds: {}\n",
-      r, accuracy.errors(r));
+      "  errors to expect at {:.3g} cells per radius, from lone grains to dense beds: {}\n", r,
+      accuracy.errors(r));
 }
 
 // what the run will do, what it will cost, and what it leaves out
@@ -136,6 +136,7 @@ void FixLbIbb::post_run()
   const double links = compute_vector(12);
   const lbm::RefillCount &r = fluid->refilled();
   double refilled[3] = {double(r.grad), double(r.equilibrium), double(r.deep)};
+  const std::string ledger = ledger_report();
   double gaps = fluid->gaps();
   neighbours->sum(refilled, 3);
   neighbours->sum(&gaps, 1);
@@ -145,11 +146,14 @@ void FixLbIbb::post_run()
                   "{:.1f} %, grains in and "
                   "out {:.1f} % of the time\n",
                   steps, speed(), 100.0 * most[0] / clock.loop, 100.0 * most[1] / clock.loop);
-  if (links > 0.0)
+  if (links > 0.0) {
     text += fmt::format(
         "  {:.0f} cut links, {:.0f} of them closed in pairs in gaps of one node; nodes refilled so "
-        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at that around a grain; memory {:.4g} "
+        "far: {:.0f} by rule, {:.0f} by arriving density, {:.0f} at that around a grain; memory "
+        "{:.4g} "
         "MiB on the fullest rank\n",
         links, 2.0 * gaps, refilled[0], refilled[1], refilled[2], most[2] / 1048576.0);
+    text += ledger;
+  }
   utils::logmesg(lmp, text);
 }

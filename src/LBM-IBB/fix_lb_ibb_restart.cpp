@@ -31,7 +31,7 @@ using namespace LAMMPS_NS;
 // As it is in the file: plain bytes, which LAMMPS reads only on machines of the same kind.
 // has_fluid is 0 before the fluid has moved: then it starts anew.
 struct FixLbIbb::Saved {
-  static constexpr int VERSION = 1;
+  static constexpr int VERSION = 2;
   int version = VERSION, bytes = sizeof(Saved);
   int has_fluid = 0, columns = SHOWN + COLUMNS, every = 0, obstacles = 0;
   double dx = 0.0, nu = 0.0, rho = 0.0, dt = 0.0;
@@ -61,6 +61,7 @@ void FixLbIbb::write_restart(FILE *fp)
   auto s = std::make_shared<Saved>();
   if (fluid && has_started()) {
     find_fastest();
+    fluid->inspect();    // as a run that goes on from here will
     s->has_fluid = 1;
     s->every = nevery;
     s->dx = options.dx;
@@ -216,6 +217,7 @@ void FixLbIbb::read_fluid()
   name = fluid_file(name);
   const std::string why = lbm::read_state(name, *fluid, to_go_on->fluid, world);
   if (!why.empty()) error->all(FLERR, "Fix lb/ibb: cannot go on from {}: {}", name, why);
+  fluid->inspect();
   drive_fluid(drive);
   if (comm->me == 0)
     utils::logmesg(lmp, "Fix lb/ibb: goes on from {}, step {}, fluid step {}\n", name,

@@ -238,7 +238,7 @@ void FixLbIbb::create_fluid()
   s.magic = options.magic;
   s.link = options.link;
   s.refill = options.refill;
-  s.ledger = options.conserve;
+  s.ledger = s.hold_mean = options.conserve;
   // a single message for what no user can mend but by other numbers
   for (const auto &finding : lbm::review({units, options.nu, nevery, 0.0, 0.0, 0.0}))
     if (finding.fatal)
@@ -291,10 +291,8 @@ void FixLbIbb::provide_ghosts()
   if (need <= have) return;
   comm->cutghostuser = need;
   if (comm->me == 0)
-    utils::logmesg(
-        lmp,
-        "Fix lb/ibb: raised the ghost cutoff from {:.6g} to {:.6g} ({} + skin)\n",
-        have, need, clumps ? "twice the largest radius" : "largest radius + 2 dx");
+    utils::logmesg(lmp, "Fix lb/ibb: raised the ghost cutoff from {:.6g} to {:.6g} ({} + skin)\n",
+                   have, need, clumps ? "twice the largest radius" : "largest radius + 2 dx");
 }
 
 // rules that need the state at the start of a run: variables, radii
@@ -306,7 +304,12 @@ void FixLbIbb::review_setup()
     drive_fluid(now);
     fluid->fill(0.0);    // at rest under the force that acts
   }
-  lbm::Plan plan{units, options.nu, nevery, now.pressure_difference, now.face_speed, 0.0,
+  lbm::Plan plan{units,
+                 options.nu,
+                 nevery,
+                 now.pressure_difference,
+                 now.face_speed,
+                 0.0,
                  std::hypot(now.force[0], now.force[1], now.force[2]) / options.rho,
                  obstacle_speed()};
   const double largest = largest_radius(plan.smallest_radius);

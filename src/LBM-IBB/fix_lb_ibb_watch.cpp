@@ -82,6 +82,7 @@ double FixLbIbb::compute_vector(int n)
     return links;
   }
   if (n >= NUMBERS) return obstacle_load(n - NUMBERS);
+  if (n >= FIRST_OF_LEDGER) return ledger_entry(n - FIRST_OF_LEDGER);
   const double all = double(nodes[0]) * nodes[1] * nodes[2];
   if (n == 13) {
     double mine = speed();

@@ -55,7 +55,7 @@ lbm::Int3 LBPlan::local_nodes(const lbm::Int3 &nodes) const
 
 lbm::Pace LBPlan::pace(const lbm::Advice &advice, const lbm::Int3 &n)
 {
-  lbm::Sample sample;
+  lbm::PaceSample sample;
   sample.dimension = wish.dimension;
   sample.single = single;
   sample.tau = advice.tau;

@@ -51,6 +51,7 @@ namespace {
     }
     if constexpr (ledger) {
       sums.swallowed = sums.swallowed + (out - back - left);
+      if constexpr (motion != Motion::REST) sums.displaced = sums.displaced - left;
       back = back + refund;
     }
     exchange<motion>(sums, e, weight, out, back, arm, wall);
@@ -135,6 +136,8 @@ namespace {
       back[k] = (known[k] + c2[k] * known[1 - k]) * D - 2.0 * squeezed;
       if constexpr (ledger) {
         sums[k].swallowed = sums[k].swallowed + (out[k] - back[k] - 2.0 * pushed[k]);
+        if constexpr (motion != Motion::REST)
+          sums[k].displaced = sums[k].displaced - 2.0 * pushed[k];
         back[k] = back[k] + L::w[i] * ends.sphere[k]->refund;
       }
       exchange<motion>(sums[k], e, L::w[i], out[k], back[k], arm[k], wall[k]);

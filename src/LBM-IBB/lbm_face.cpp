@@ -46,9 +46,10 @@ void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, co
 }
 
 template <class L>
-void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face &face,
-               const Faces &faces, const AtEnd &at_end, const int32_t *owner, const Vec3 &force)
+double open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face &face,
+                 const Faces &faces, const AtEnd &at_end, const int32_t *owner, const Vec3 &force)
 {
+  double gain = 0.0;
   const int inward = side == 0 ? 1 : -1;
   // does the population that arrives along e come from beyond a wall that meets this face?
   auto from_wall = [&](const int(&e)[3], const Int3 &p) {
@@ -102,15 +103,18 @@ void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face 
       for (int t = 0; t < L::D; t++)
         if (t != d) fi += 0.5 * e[t] * (2.0 / 3.0 * j[t] - tangential[t]);
       f[i][n] = typename L::Real(fi);
+      const int o = opposite<L>(i);    // and what left towards where that came from
+      gain += double(f[i][n]) - double(f[o][n + at.offset(L::e[o])]);
     }
   });
+  return gain;
 }
 
-#define LBM_INSTANTIATE(L)                                                             \
-  template void bounce_at_walls<L>(const Layout &, const Slots<L> &, const Faces &,    \
-                                   const AtEnd &);                                     \
-  template void open_face<L>(const Layout &, const Slots<L> &, int, int, const Face &, \
-                             const Faces &, const AtEnd &, const int32_t *, const Vec3 &);
+#define LBM_INSTANTIATE(L)                                                               \
+  template void bounce_at_walls<L>(const Layout &, const Slots<L> &, const Faces &,      \
+                                   const AtEnd &);                                       \
+  template double open_face<L>(const Layout &, const Slots<L> &, int, int, const Face &, \
+                               const Faces &, const AtEnd &, const int32_t *, const Vec3 &);
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 

@@ -38,10 +38,11 @@ void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, co
 
 // Zou & He 1997 in three dimensions: bounce-back of the non-equilibrium part, with the corrections
 // of Mansouri et al. 2016, appendix A (eq. A.7), closed by the density or the velocity at the face.
-// Covered nodes are left alone. force is the force density on the fluid.
+// Covered nodes are left alone. force is the force density on the fluid. Returns the mass that came
+// in, less what went out.
 template <class L>
-void open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face &face,
-               const Faces &faces, const AtEnd &at_end, const int32_t *owner, const Vec3 &force);
+double open_face(const Layout &at, const Slots<L> &f, int d, int side, const Face &face,
+                 const Faces &faces, const AtEnd &at_end, const int32_t *owner, const Vec3 &force);
 
 }    // namespace lbm
 #endif

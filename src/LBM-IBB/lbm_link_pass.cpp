@@ -143,9 +143,12 @@ void LinkPass<L>::bounce_in(const Links &links, const Slots<L> &f)
     bounce_back<L, Rule, motion, false>(at_, f, *cover_, links, drho_, *loads_);
 }
 
-template <class L> void LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 &force) const
+template <class L> double LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 &force) const
 {
-  for (const Links &list : lists_) lbm::fill_pockets<L>(at_, f, *cover_, list.pockets, force);
+  double gain = 0.0;
+  for (const Links &list : lists_)
+    gain += lbm::fill_pockets<L>(at_, f, *cover_, list.pockets, force);
+  return gain;
 }
 
 template <class L> template <class F> void LinkPass<L>::for_each_yielding(F &&f) const
@@ -182,11 +185,15 @@ template <class L> void LinkPass<L>::add_responses(std::vector<Response> &respon
 }
 
 template <class L>
-void LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) const
+Taken LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) const
 {
+  Taken taken;
   for_each_yielding([&](auto rule, const Links &links) {
-    lbm::correct<L, decltype(rule)>(at_, f, *cover_, links, gains);
+    const Taken more = lbm::correct<L, decltype(rule)>(at_, f, *cover_, links, gains);
+    taken.displaced += more.displaced;
+    taken.swallowed += more.swallowed;
   });
+  return taken;
 }
 
 template <class L> double LinkPass<L>::bytes() const

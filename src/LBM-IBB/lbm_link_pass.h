@@ -38,13 +38,13 @@ template <class L> class LinkPass {
   void inner(std::size_t k, const Slots<L> &f);
   // after halo and walls
   void outermost(const Slots<L> &f);
-  // last of all, see fill_pockets()
-  void fill_pockets(const Slots<L> &f, const Vec3 &force) const;
+  // last of all, see fill_pockets(); returns the mass gained
+  double fill_pockets(const Slots<L> &f, const Vec3 &force) const;
 
   // of the links of the last step, see lbm_yield.h; recall() finds those of a step made elsewhere
   void recall(const Cover &cover);
   void add_responses(std::vector<Response> &responses) const;
-  void correct(const Slots<L> &f, const std::vector<Gain> &gains) const;
+  Taken correct(const Slots<L> &f, const std::vector<Gain> &gains) const;
 
   double links() const { return double(links_); }    // in the last step, gaps included
   double gaps() const { return double(gaps_); }

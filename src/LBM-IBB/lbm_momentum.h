@@ -12,7 +12,7 @@ namespace lbm {
 
 // mass, if there is a ledger of it
 template <class V, bool ledger> struct Swallowed {
-  V swallowed = V{};
+  V swallowed = V{}, displaced = V{};
 };
 template <class V> struct Swallowed<V, false> {
 };
@@ -33,7 +33,10 @@ template <class V, bool ledger> struct Sums : Swallowed<V, ledger> {
       torque[d] += keep * other.torque[d];
     }
     pressing += keep * other.pressing;
-    if constexpr (ledger) this->swallowed += keep * other.swallowed;
+    if constexpr (ledger) {
+      this->swallowed += keep * other.swallowed;
+      this->displaced += keep * other.displaced;
+    }
   }
 };
 
@@ -60,7 +63,10 @@ void add(const Sums<V, ledger> &sums, const int (&e)[3], double w, Load &load)
   }
   if (!moving) torque = cross(torque, {double(e[0]), double(e[1]), double(e[2])});
   load.pressing += pressing;
-  if constexpr (ledger) load.swallowed += total(sums.swallowed);
+  if constexpr (ledger) {
+    load.swallowed += total(sums.swallowed);
+    if constexpr (moving) load.displaced += total(sums.displaced);
+  }
   load.area += 2.0 * w * sums.links;
   for (int d = 0; d < 3; d++) {
     load.force[d] += force[d];

@@ -52,4 +52,18 @@ void MpiNeighbours::max(double *values, int n)
   MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_MAX, comm_);
 }
 
+std::vector<double> MpiNeighbours::gather(const std::vector<double> &mine)
+{
+  int ranks;
+  MPI_Comm_size(comm_, &ranks);
+  std::vector<int> count(ranks), first(ranks, 0);
+  const int n = int(mine.size());
+  MPI_Allgather(&n, 1, MPI_INT, count.data(), 1, MPI_INT, comm_);
+  for (int r = 1; r < ranks; r++) first[r] = first[r - 1] + count[r - 1];
+  std::vector<double> all(std::size_t(first.back()) + count.back());
+  MPI_Allgatherv(mine.data(), n, MPI_DOUBLE, all.data(), count.data(), first.data(), MPI_DOUBLE,
+                 comm_);
+  return all;
+}
+
 }    // namespace lbm

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace lbm {
 
@@ -33,6 +34,8 @@ class Neighbours {
   // over all blocks, in place
   virtual void sum(double *values, int n) = 0;
   virtual void max(double *values, int n) = 0;
+  // what all blocks have, one after the other, in the same order on all
+  virtual std::vector<double> gather(const std::vector<double> &mine) = 0;
 
  protected:
   // sizes in words of 4 bytes
@@ -48,6 +51,7 @@ class Alone : public Neighbours {
   bool itself(int d) const override { return periodic_[d]; }
   void sum(double *, int) override {}
   void max(double *, int) override {}
+  std::vector<double> gather(const std::vector<double> &mine) override { return mine; }
 
  private:
   void shift_words(int d, int side, const void *send, std::size_t nsend, void *receive,

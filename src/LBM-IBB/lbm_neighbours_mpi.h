@@ -21,6 +21,7 @@ class MpiNeighbours : public Neighbours {
   bool itself(int d) const override { return rank_[d][0] == me_ && rank_[d][1] == me_; }
   void sum(double *values, int n) override;
   void max(double *values, int n) override;
+  std::vector<double> gather(const std::vector<double> &mine) override;
 
  protected:
   void shift_words(int d, int side, const void *send, std::size_t nsend, void *receive,

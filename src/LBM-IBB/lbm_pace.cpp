@@ -31,7 +31,7 @@ namespace {
   }
 
   // inside the block, so that no rank has to know those of another
-  std::vector<Sphere> array_of_spheres(const Sample &sample, const Int3 &lo, const Int3 &n)
+  std::vector<Sphere> array_of_spheres(const PaceSample &sample, const Int3 &lo, const Int3 &n)
   {
     const int D = sample.dimension;
     const double r = sample.radius;
@@ -63,7 +63,7 @@ double links_of_sphere(double r, int dimension)
   return 4.0 * M_PI * r * r * (6.0 + 12.0 * diagonal) / 4.0;
 }
 
-Pace measure_pace(const Sample &sample, int rank, int ranks, Neighbours &neighbours)
+Pace measure_pace(const PaceSample &sample, int rank, int ranks, Neighbours &neighbours)
 {
   const int D = sample.dimension, last = D - 1;
   Int3 n = sample.n, lo{}, global;

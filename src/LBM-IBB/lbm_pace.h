@@ -15,7 +15,7 @@ namespace lbm {
 double links_of_sphere(double r, int dimension);
 
 // what is to be measured: the share of one rank
-struct Sample {
+struct PaceSample {
   int dimension = 3;
   bool single = false;
   double tau = 0.8;
@@ -34,7 +34,7 @@ struct Pace {
 
 // Blocks of all ranks stacked along the last dimension, rank 0 lowest. Collective; throws as
 // Fluid::create().
-Pace measure_pace(const Sample &sample, int rank, int ranks, Neighbours &neighbours);
+Pace measure_pace(const PaceSample &sample, int rank, int ranks, Neighbours &neighbours);
 
 }    // namespace lbm
 #endif

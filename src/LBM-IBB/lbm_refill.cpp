@@ -185,31 +185,69 @@ namespace {
     return weight > 0.0;
   }
 
+  // f(s, node, n): the owned nodes that sphere s covers in a, and none in b, which may be null
+  template <class F>
+  void for_each_in_first_alone(const Layout &at, const Cover &a, const Cover *b, F &&f)
+  {
+    for (std::size_t s = 0; s < a.spheres().size(); s++) {
+      const Rows &rows = a.rows(s);
+      // most likely the same sphere, and in any case one whose nodes need no look
+      const Rows *same = b && s < b->spheres().size() ? &b->rows(s) : nullptr;
+      for (int z = std::max(rows.z0, 0); z <= std::min(rows.z1, at.n[2] - 1); z++)
+        for (int y = std::max(rows.y0, 0); y <= std::min(rows.y1, at.n[1] - 1); y++) {
+          const Run run = a.run(rows, y, z);
+          const Index row = at.index(0, y, z);
+          const auto look = [&](int xa, int xb) {
+            for (int x = std::max(xa, 0); x <= std::min(xb, at.n[0] - 1); x++)
+              if (a.owner()[row + x] == int32_t(s) && (!b || b->owner()[row + x] < 0))
+                f(s, Int3{x, y, z}, row + x);
+          };
+          Run both{1, 0};
+          if (same && same->contains(y, z)) both = b->run(*same, y, z);
+          if (both.xa > both.xb) {
+            look(run.xa, run.xb);
+          } else {
+            look(run.xa, std::min(run.xb, both.xa - 1));
+            look(std::max(run.xa, both.xb + 1), run.xb);
+          }
+        }
+    }
+  }
+
 }    // namespace
 
 std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now)
 {
   std::vector<Uncovered> list;
-  for (std::size_t s = 0; s < before.spheres().size(); s++) {
-    const Rows &r = before.rows(s);
-    for (int z = std::max(r.z0, 0); z <= std::min(r.z1, at.n[2] - 1); z++)
-      for (int y = std::max(r.y0, 0); y <= std::min(r.y1, at.n[1] - 1); y++) {
-        const Run run = before.run(r, y, z);
-        const int xa = std::max(run.xa, 0), xb = std::min(run.xb, at.n[0] - 1);
-        const Index row = at.index(0, y, z);
-        for (int x = xa; x <= xb; x++)
-          if (now.owner()[row + x] < 0 && before.owner()[row + x] == int32_t(s))
-            list.push_back({{x, y, z}, row + x, int32_t(s)});
-      }
-  }
+  for_each_in_first_alone(at, before, &now, [&](std::size_t s, const Int3 &p, Index n) {
+    list.push_back({p, n, int32_t(s)});
+  });
   return list;
 }
 
-template <class L, RefillRule rule>
-void refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
-                  const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
-                  Neighbours &neighbours, RefillCount &count)
+std::vector<Index> find_covered(const Layout &at, const Cover *before, const Cover &now)
 {
+  std::vector<Index> list;
+  for_each_in_first_alone(at, now, before, [&](std::size_t, const Int3 &, Index n) {
+    list.push_back(n);
+  });
+  return list;
+}
+
+template <class L> double excess_in(const Slots<L> &f, const std::vector<Index> &nodes)
+{
+  double sum = 0.0;
+  for (const Index n : nodes)
+    for (int i = 0; i < L::Q; i++) sum += f[i][n];
+  return sum;
+}
+
+template <class L, RefillRule rule>
+double refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+                    const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
+                    Neighbours &neighbours, RefillCount &count)
+{
+  double excess = 0.0;
   const auto samples = Around<L, rule>(at, f, before, now, force, neighbours).collect(nodes);
   for (std::size_t k = 0; k < nodes.size(); k++) {
     Moments m{0.0, solid_velocity(before, nodes[k])};
@@ -230,32 +268,41 @@ void refill_local(const Layout &at, const Slots<L> &f, const Cover &before, cons
     if (known) count.grad++;
 
     const auto beyond = beyond_equilibrium<L, rule>(samples[k], before, nodes[k], m, tau);
-    for (int i = 0; i < L::Q; i++)
+    for (int i = 0; i < L::Q; i++) {
       f[i][nodes[k].n] = typename L::Real(bare_equilibrium<L>(i, m, force) + beyond[i]);
+      excess += f[i][nodes[k].n];
+    }
   }
+  return excess;
 }
 
 template <class L>
-void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
-                        double drho_mean, const Vec3 &force, RefillCount &count)
+double refill_equilibrium(const Slots<L> &f, const Cover &before,
+                          const std::vector<Uncovered> &nodes, double drho_mean, const Vec3 &force,
+                          RefillCount &count)
 {
+  double excess = 0.0;
   for (const Uncovered &node : nodes) {
     const Moments m{drho_mean, solid_velocity(before, node)};
-    for (int i = 0; i < L::Q; i++)
+    for (int i = 0; i < L::Q; i++) {
       f[i][node.n] = typename L::Real(bare_equilibrium<L>(i, m, force));
+      excess += f[i][node.n];
+    }
     count.equilibrium++;
   }
+  return excess;
 }
 
 template <class L>
-void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
-                  const std::vector<uint32_t> &pockets, const Vec3 &force)
+double fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
+                    const std::vector<uint32_t> &pockets, const Vec3 &force)
 {
+  double gain = 0.0;
   for (const Index n : pockets) {
     const Int3 p = at.node(n);
     Moments m{0.0, {}};
     int around = 0, spheres = 0, arriving = 0;    // population that comes from the fluid neighbour
-    double at_obstacles = 0.0;                    // along which the density changes: the last choice
+    double at_obstacles = 0.0;    // along which the density changes: the last choice
     bool at_open_face = false;
     for (int i = 1; i < L::Q; i++) {
       const int(&e)[3] = L::e[i];
@@ -281,23 +328,29 @@ void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
       m.drho = f[arriving][n] - f[sent][n + at.offset(L::e[sent])];
       for (int i = 0; i < L::Q; i++) m.drho += f[i][n + at.offset(L::e[i])];
     }
-    for (int i = 0; i < L::Q; i++) f[i][n] = typename L::Real(bare_equilibrium<L>(i, m, force));
+    for (int i = 0; i < L::Q; i++) {
+      const auto filled = typename L::Real(bare_equilibrium<L>(i, m, force));
+      gain += double(filled) - double(f[i][n]);
+      f[i][n] = filled;
+    }
   }
+  return gain;
 }
 
 #define LBM_INSTANTIATE_LOCAL(L, rule)                                \
-  template void refill_local<L, RefillRule::rule>(                    \
+  template double refill_local<L, RefillRule::rule>(                  \
       const Layout &, const Slots<L> &, const Cover &, const Cover &, \
       const std::vector<Uncovered> &, double, const Vec3 &, Neighbours &, RefillCount &);
-#define LBM_INSTANTIATE(L)                                                                  \
-  LBM_INSTANTIATE_LOCAL(L, GRAD)                                                            \
-  LBM_INSTANTIATE_LOCAL(L, NORMAL)                                                          \
-  LBM_INSTANTIATE_LOCAL(L, LOCAL)                                                           \
-  template void refill_equilibrium<L>(const Slots<L> &, const Cover &,                      \
-                                      const std::vector<Uncovered> &, double, const Vec3 &, \
-                                      RefillCount &);                                       \
-  template void fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,            \
-                                const std::vector<uint32_t> &, const Vec3 &);
+#define LBM_INSTANTIATE(L)                                                                    \
+  LBM_INSTANTIATE_LOCAL(L, GRAD)                                                              \
+  LBM_INSTANTIATE_LOCAL(L, NORMAL)                                                            \
+  LBM_INSTANTIATE_LOCAL(L, LOCAL)                                                             \
+  template double excess_in<L>(const Slots<L> &, const std::vector<Index> &);                 \
+  template double refill_equilibrium<L>(const Slots<L> &, const Cover &,                      \
+                                        const std::vector<Uncovered> &, double, const Vec3 &, \
+                                        RefillCount &);                                       \
+  template double fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,            \
+                                  const std::vector<uint32_t> &, const Vec3 &);
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
 #undef LBM_INSTANTIATE_LOCAL

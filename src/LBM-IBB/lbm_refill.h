@@ -35,16 +35,22 @@ struct Uncovered {
 };
 std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now);
 
+// owned nodes covered now and not before; if before is null nothing was
+std::vector<Index> find_covered(const Layout &at, const Cover *before, const Cover &now);
+// density excess of nodes, summed
+template <class L> double excess_in(const Slots<L> &f, const std::vector<Index> &nodes);
+
 // Fill them, between the link pass of step t - 1 and the sweep of step t; f are the slots of step
-// t. Collective over all blocks.
+// t. Returns the sum of their density excess. Collective over all blocks.
 template <class L, RefillRule rule>    // all but EQUILIBRIUM
-void refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
-                  const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
-                  Neighbours &neighbours, RefillCount &count);
+double refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+                    const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
+                    Neighbours &neighbours, RefillCount &count);
 
 template <class L>
-void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vector<Uncovered> &nodes,
-                        double drho_mean, const Vec3 &force, RefillCount &count);
+double refill_equilibrium(const Slots<L> &f, const Cover &before,
+                          const std::vector<Uncovered> &nodes, double drho_mean, const Vec3 &force,
+                          RefillCount &count);
 
 // Fluid nodes with no fluid neighbour or one, all others being covered or behind walls, after the
 // link pass; f as above. Little or nothing can flow in or out on this lattice, though water could:
@@ -52,9 +58,10 @@ void refill_equilibrium(const Slots<L> &f, const Cover &before, const std::vecto
 // spheres accordingly. It gets the equilibrium of their mean velocity and,
 //   without a fluid neighbour, of the mean density around them;
 //   with one, of the mass it had and has exchanged with that neighbour.
+// Returns the mass they have gained by it.
 template <class L>
-void fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
-                  const std::vector<uint32_t> &pockets, const Vec3 &force);
+double fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
+                    const std::vector<uint32_t> &pockets, const Vec3 &force);
 
 }    // namespace lbm
 #endif

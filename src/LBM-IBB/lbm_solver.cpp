@@ -2,6 +2,7 @@
 
 #include "lbm_solver.h"
 
+#include "lbm_enclosed.h"
 #include "lbm_halo.h"
 #include "lbm_sweep.h"
 
@@ -29,9 +30,9 @@ namespace {
             Neighbours &neighbours) :
         settings(settings),
         at(at), lattice{global, {}}, block(at), halo(at, neighbours),
-        pass(at, settings.link, settings.ledger, settings.tile), neighbours(neighbours),
-        collide(settings.bgk ? Trt<L>::bgk(settings.tau)
-                             : Trt<L>::trt(settings.tau, settings.magic))
+        pass(at, settings.link, settings.ledger, settings.tile), enclosed(at),
+        neighbours(neighbours), collide(settings.bgk ? Trt<L>::bgk(settings.tau)
+                                                     : Trt<L>::trt(settings.tau, settings.magic))
     {
       for (int d = 0; d < 3; d++) {
         lattice.periodic[d] = d < L::D && settings.faces[d][0].kind == FaceKind::PERIODIC;
@@ -52,6 +53,8 @@ namespace {
       now = nullptr;
       provide(now);
       now->place(with_obstacles({}));
+      covered = Index(find_covered(at, nullptr, *now).size());
+      book.covered += double(covered);
       return over_all(solids->reviews());
     }
     std::vector<ShapeReview> review(const std::vector<Shape> &shapes) override
@@ -72,7 +75,7 @@ namespace {
     void follow_bodies(const std::vector<Sphere> &spheres)
     {
       if (!now && spheres.empty()) {
-        refill_uncovered();
+        change_nodes();
         return;
       }
       provide(now);
@@ -89,8 +92,8 @@ namespace {
       } else {
         now->set_velocities(spheres);
       }
-      refill_uncovered();
       motion = most(spheres);
+      change_nodes();
     }
 
     void advance(std::vector<Load> &loads) override
@@ -100,14 +103,20 @@ namespace {
         collide_stream_and_bounce(loads);
       else
         collide_and_stream(at.all());
+      book.excess[Ledger::RESTORED] += gain * double(at.nodes() - covered);
       halo.exchange(block);
       block.advance();
       bounce_at_walls<L>(at, block.slots(), settings.faces, at_end);
       if (spheres_here()) {
         pass.outermost(block.slots());
-        pass.fill_pockets(block.slots(), force);
+        book.excess[Ledger::POCKETS] += pass.fill_pockets(block.slots(), force);
+      }
+      if (enclosed.holds_any()) {
+        provide(now);
+        book.excess[Ledger::POCKETS] += enclosed.hold(block.slots(), *now, neighbours);
       }
       open_faces();
+      if (settings.ledger) book_links(loads);
       find_responses();
       if (solids) take_from_obstacles(loads);
     }
@@ -119,7 +128,11 @@ namespace {
     }
     void correct(const std::vector<Gain> &gains) override
     {
-      if (spheres_here()) pass.correct(block.slots(), gains);
+      if (!spheres_here()) return;
+      const Taken taken = pass.correct(block.slots(), gains);
+      if (!settings.ledger) return;
+      book.excess[Ledger::DISPLACED] -= taken.displaced;
+      book.excess[Ledger::SWALLOWED] -= taken.swallowed;
     }
 
     void set_force(const Vec3 &f) override { force = f; }
@@ -179,10 +192,12 @@ namespace {
     void resume(const std::vector<Sphere> &grains, const Counts &so_far) override
     {
       counts = so_far;
+      book = {};    // obstacles are in the ledger already
       const auto spheres = reaching_here(grains, at, lattice);
       if (spheres.empty()) return;
       provide(now);
       now->place(solids ? with_obstacles(spheres) : spheres);
+      covered = Index(find_covered(at, nullptr, *now).size());
       pass.recall(*now);
     }
 
@@ -197,11 +212,39 @@ namespace {
       if (block.step() == 0) return counts.gaps;
       return spheres_here() ? pass.gaps() : 0.0;
     }
+    Ledger ledger() const override
+    {
+      auto sums = book.numbers();
+      neighbours.sum(sums.data(), int(sums.size()));
+      Ledger all = counts.ledger;
+      all.add(sums.data());
+      return all;
+    }
+    const MeanDensity &mean_density() const override { return counts.mean; }
+    void inspect() override
+    {
+      double any[2] = {spheres_here() ? 1.0 : 0.0, changed_since ? 1.0 : 0.0};
+      neighbours.max(any, 2);
+      changed_since = false;
+      if (any[0] == 0.0) {
+        enclosed.forget();
+      } else if (any[1] > 0.0) {
+        provide(now);
+        enclosed.find(*now, lattice.n, neighbours);
+      }
+      if (settings.single && counts.mean.known > 0.0) {
+        const Survey s = whole();
+        counts.mean.start = s.mass - s.fluid_nodes - ledger().total_excess();
+      }
+    }
+    double enclosed_sets() const override { return enclosed.sets(); }
+    double enclosed_nodes() const override { return enclosed.nodes(); }
     const RefillCount &refilled() const override { return counts.refilled; }
     double bytes() const override
     {
       return block.bytes() + (now ? now->bytes() : 0.0) + (before ? before->bytes() : 0.0) +
-          double(drho.capacity() * sizeof(float)) + pass.bytes() + (solids ? solids->bytes() : 0.0);
+          double(drho.capacity() * sizeof(float)) + pass.bytes() + enclosed.bytes() +
+          (solids ? solids->bytes() : 0.0);
     }
 
    private:
@@ -211,6 +254,7 @@ namespace {
     Block<L> block;
     Halo<L> halo;
     LinkPass<L> pass;
+    Enclosed<L> enclosed;
     Neighbours &neighbours;
     Trt<L> collide;
     Vec3 force{};
@@ -222,11 +266,14 @@ namespace {
 
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
-    bool moved = false;
+    bool moved = false, changed_since = true;    // since the last step; since inspect()
     Motion motion = Motion::REST;
     std::vector<Response> responses_;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
     Counts counts;              // of links and gaps those of a step made elsewhere
+    Ledger book;                // of this rank, what is not in counts yet
+    Index covered = 0;          // nodes of this rank
+    double gain = 0.0;          // of each fluid node in the next sweep, on all ranks alike
 
     void provide(std::unique_ptr<Cover> &cover) const
     {
@@ -265,14 +312,14 @@ namespace {
     // collective: what they got here is the end of the list
     void take_from_obstacles(std::vector<Load> &loads)
     {
-      static_assert(sizeof(Load) == 9 * sizeof(double), "sums are numbers alone");
+      constexpr std::size_t N = sizeof(Load) / sizeof(double);    // all of it are sums
       const std::size_t grains = loads.size() - states.size();
-      std::vector<double> sums(9 * states.size());
+      std::vector<double> sums(N * states.size());
       std::memcpy(sums.data(), &loads[grains], sums.size() * sizeof(double));
       neighbours.sum(sums.data(), int(sums.size()));
       for (std::size_t k = 0; k < states.size(); k++) {
         states[k].before = states[k].last;
-        std::memcpy(static_cast<void *>(&states[k].last), &sums[9 * k], sizeof(Load));
+        std::memcpy(static_cast<void *>(&states[k].last), &sums[N * k], sizeof(Load));
         states[k].steps += 1.0;
       }
       loads.resize(grains);
@@ -300,12 +347,12 @@ namespace {
 
     template <class Force> void sweep_with(const Force &f, const Region &region)
     {
-      if (!spheres_here())
-        sweep_nodes(f, NoSolids{}, region);
-      else if (motion == Motion::REST)
+      if (motion != Motion::REST || gain != 0.0)
+        sweep_nodes(f, MovingSolids{owner(), drho.data(), gain}, region);
+      else if (spheres_here())
         sweep_nodes(f, Solids{owner()}, region);
       else
-        sweep_nodes(f, MovingSolids{owner(), drho.data()}, region);
+        sweep_nodes(f, NoSolids{}, region);
     }
 
     // never inlined: the loop is then as good whatever is around it
@@ -328,7 +375,6 @@ namespace {
     void collide_stream_and_bounce(std::vector<Load> &loads)
     {
       const bool moving = motion != Motion::REST;
-      if (moving) drho.resize(at.size);
       pass.start(*now, moved, motion, moving ? drho.data() : nullptr, loads);
       for (std::size_t k = 0; k < pass.tiles().count(); k++) {
         collide_and_stream(pass.tiles().swept(k));
@@ -354,22 +400,80 @@ namespace {
       for (int d = 0; d < L::D; d++)
         for (int side = 0; side < 2; side++)
           if (at_end[d][side] && settings.faces[d][side].open())
-            open_face<L>(at, block.slots(), d, side, settings.faces[d][side], settings.faces,
-                         at_end, owner(), force);
+            book.excess[Ledger::FACES + 2 * d + side] +=
+                open_face<L>(at, block.slots(), d, side, settings.faces[d][side], settings.faces,
+                             at_end, owner(), force);
     }
 
-    void refill_uncovered()
+    void book_links(const std::vector<Load> &loads)
+    {
+      for (std::size_t s = 0; s < loads.size(); s++) {
+        book.excess[Ledger::SWALLOWED] -= loads[s].swallowed;
+        book.excess[Ledger::DISPLACED] += loads[s].displaced;
+        book.excess[Ledger::RETURNED] += 0.5 * spheres()[s].refund * loads[s].area;
+      }
+    }
+
+    // nodes become solid, and fluid
+    void change_nodes()
     {
       std::vector<Uncovered> nodes;
-      if (moved && before) nodes = find_uncovered(at, *before, *now);
-      double any = nodes.empty() ? 0.0 : 1.0;
-      neighbours.max(&any, 1);
-      if (any == 0.0) return;
+      if (moved) {
+        changed_since = true;
+        auto lost = find_covered(at, before.get(), *now);
+        if (!before && solids) leave_out_obstacles(lost);
+        if (before) nodes = find_uncovered(at, *before, *now);
+        book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
+        book.covered += double(lost.size());
+        covered += Index(lost.size()) - Index(nodes.size());
+      }
+      bool any = !nodes.empty(), any_moved = moved && before != nullptr;
+      agree(any, any_moved);
+      if (any) refill(nodes);
+      hold_mean(any_moved);
+      if (motion != Motion::REST || gain != 0.0) {    // for MovingSolids
+        provide(now);
+        drho.resize(at.size);
+      }
+    }
+
+    // they have been solid from the start
+    void leave_out_obstacles(std::vector<Index> &nodes) const
+    {
+      const auto first = int32_t(now->spheres().size() - states.size());
+      nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
+                                 [&](Index n) {
+                                   return owner()[n] >= first;
+                                 }),
+                  nodes.end());
+    }
+
+    // one message for all that ranks have to know of each other
+    void agree(bool &any, bool &any_moved)
+    {
+      const auto numbers = book.numbers();
+      std::array<double, Ledger::SIZE + 2> sums;
+      std::copy(numbers.begin(), numbers.end(), sums.begin());
+      sums[Ledger::SIZE] = any;
+      sums[Ledger::SIZE + 1] = any_moved;
+      neighbours.sum(sums.data(), int(sums.size()));
+      counts.ledger.add(sums.data());
+      book = {};
+      any = sums[Ledger::SIZE] > 0.0;
+      any_moved = sums[Ledger::SIZE + 1] > 0.0;
+    }
+
+    void refill(const std::vector<Uncovered> &nodes)
+    {
       provide(now);    // a rank without any may have to answer the others' questions
       provide(before);
+      book.uncovered += double(nodes.size());
+      book.excess[Ledger::REFILLED] += refill_by_rule(nodes);
+    }
+
+    double refill_by_rule(const std::vector<Uncovered> &nodes)
+    {
       switch (settings.refill) {
-        case RefillRule::GRAD:
-          return refill_with<RefillRule::GRAD>(nodes);
         case RefillRule::NORMAL:
           return refill_with<RefillRule::NORMAL>(nodes);
         case RefillRule::LOCAL:
@@ -377,13 +481,46 @@ namespace {
         case RefillRule::EQUILIBRIUM:
           return refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(), force,
                                        counts.refilled);
+        default:
+          return refill_with<RefillRule::GRAD>(nodes);
       }
     }
 
-    template <RefillRule rule> void refill_with(const std::vector<Uncovered> &nodes)
+    template <RefillRule rule> double refill_with(const std::vector<Uncovered> &nodes)
     {
-      refill_local<L, rule>(at, block.slots(), *before, *now, nodes, settings.tau, force,
-                            neighbours, counts.refilled);
+      return refill_local<L, rule>(at, block.slots(), *before, *now, nodes, settings.tau, force,
+                                   neighbours, counts.refilled);
+    }
+
+    // What the mean density has lost comes back with the next sweep, evenly: no force comes of it.
+    void hold_mean(bool any_moved)
+    {
+      gain = 0.0;
+      if (!settings.hold_mean || !settings.ledger || has_open_face() || !any_moved) return;
+      const Ledger &sums = counts.ledger;
+      const double nodes = double(lattice.n[0]) * lattice.n[1] * lattice.n[2] + sums.nodes();
+      if (nodes <= 0.0) return;
+      MeanDensity &mean = counts.mean;
+      if (mean.known == 0.0) {
+        const Survey s = whole();
+        if (s.fluid_nodes == 0.0) return;
+        const double excess = s.mass - s.fluid_nodes;
+        mean = {1.0, excess - ledger().total_excess(), excess / s.fluid_nodes};
+      }
+      gain = mean.excess - (mean.start + sums.total_excess()) / nodes;
+    }
+    Survey whole() const
+    {
+      Survey s = survey();
+      reduce(s, neighbours);
+      return s;
+    }
+    bool has_open_face() const
+    {
+      for (const auto &pair : settings.faces)
+        for (const Face &face : pair)
+          if (face.open()) return true;
+      return false;
     }
 
     // of the whole system, over the nodes that were fluid in the last step

@@ -11,6 +11,7 @@
 #define LBM_SOLVER_H
 
 #include "lbm_face.h"
+#include "lbm_ledger.h"
 #include "lbm_link_pass.h"
 #include "lbm_monitor.h"
 #include "lbm_neighbours.h"
@@ -32,8 +33,10 @@ struct Settings {
   LinkRule link = LinkRule::CLI;
   RefillRule refill = RefillRule::GRAD;
   bool ledger = true;    // of the mass that links swallow, to be given back; else none is
-  Int3 tile{};           // nodes swept before their links; 0: by the size of the cache
-  Faces faces;           // of the whole box
+  // keep the mean density of the fluid while spheres move in a box without open faces; needs ledger
+  bool hold_mean = false;
+  Int3 tile{};    // nodes swept before their links; 0: by the size of the cache
+  Faces faces;    // of the whole box
 };
 
 class Fluid {
@@ -91,6 +94,16 @@ class Fluid {
   virtual const Layout &layout() const = 0;
   virtual double links() const = 0;    // of this rank in the last step, gaps included
   virtual double gaps() const = 0;     // pairs closed in a gap of one node
+  // Of all ranks, since the start; without a ledger of links theirs are left out. Collective.
+  virtual Ledger ledger() const = 0;
+  virtual const MeanDensity &mean_density() const = 0;    // on all ranks alike
+
+  // Now and then: finds fluid that is enclosed, whose density is kept from then on, see
+  // lbm_enclosed.h; in single precision the mean density is measured anew. Collective.
+  virtual void inspect() = 0;
+  // of all ranks, when last inspected
+  virtual double enclosed_sets() const = 0;
+  virtual double enclosed_nodes() const = 0;
   virtual const RefillCount &refilled() const = 0;
   virtual double bytes() const = 0;    // memory held
 };

@@ -49,6 +49,9 @@ struct Load {
   // mass that came to the links and was not given back, but for what fluid at rest with the moving
   // surface would leave there; that adds up to what the sphere displaces
   double swallowed = 0.0;
+  // mass that such fluid got from the links, negative behind a sphere: what will be covered in front,
+  // less what will be uncovered behind
+  double displaced = 0.0;
 
   double drho() const { return area > 0.0 ? pressing / area : 0.0; }
 };

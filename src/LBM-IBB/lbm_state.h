@@ -11,6 +11,7 @@
 #define LBM_STATE_H
 
 #include "lbm_cover.h"
+#include "lbm_ledger.h"
 #include "lbm_refill.h"
 
 #include <algorithm>
@@ -34,10 +35,12 @@ inline Part common(const Part &a, const Part &b)
   return c;
 }
 
-// what was counted so far, for the user alone
+// what was counted so far: of this rank; of all ranks
 struct Counts {
   double links = 0.0, gaps = 0.0;
   RefillCount refilled;
+  Ledger ledger;
+  MeanDensity mean;
 };
 
 // what the next step needs of a grain in the last one, as it is on file

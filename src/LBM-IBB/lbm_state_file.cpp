@@ -10,7 +10,7 @@
 namespace lbm {
 namespace {
 
-  constexpr char MAGIC[8] = {'l', 'b', '/', 'i', 'b', 'b', ' ', '1'};
+  constexpr char MAGIC[8] = {'l', 'b', '/', 'i', 'b', 'b', ' ', '2'};
   constexpr std::int32_t BYTE_ORDER_MARK = 0x01020304;
   constexpr std::size_t BUFFER = std::size_t(1) << 25;    // bytes read or written at a time
 
@@ -121,6 +121,9 @@ StateHeader describe(const Fluid &fluid, const Int3 &nodes, std::int64_t step, M
   std::copy_n(counts + 1, 3, h.refilled);
   h.links = last[0];
   h.gaps = last[1];
+  const auto ledger = fluid.ledger().numbers();
+  std::copy(ledger.begin(), ledger.end(), h.ledger);
+  h.mean = fluid.mean_density();
   return h;
 }
 
@@ -196,8 +199,10 @@ std::string read_state(const std::string &name, Fluid &fluid, const StateHeader 
     for (const Sphere &s : grains) check += checksum(s);
   if (total(check, comm) != h.checksum) return "it is damaged: its checksum is wrong";
 
-  Counts counts;    // sums, which the first rank keeps
-  if (me == 0) counts = {h.links, h.gaps, {h.refilled[0], h.refilled[1], h.refilled[2]}};
+  Counts counts;    // sums, which the first rank keeps, and what all ranks know
+  if (me == 0) counts = {h.links, h.gaps, {h.refilled[0], h.refilled[1], h.refilled[2]}, {}, {}};
+  counts.ledger.add(h.ledger);
+  counts.mean = h.mean;
   fluid.resume(grains, counts);
   return "";
 }

@@ -25,6 +25,8 @@ struct StateHeader {
   std::uint64_t checksum;      // of spheres and populations
   double links, gaps;          // of the last step
   std::int64_t refilled[3];    // so far
+  double ledger[Ledger::SIZE];
+  MeanDensity mean;
 };
 
 StateHeader describe(const Fluid &fluid, const Int3 &nodes, std::int64_t step, MPI_Comm comm);

@@ -40,7 +40,8 @@ std::vector<Sphere> all_spheres(const Fluid &fluid, MPI_Comm comm)
 
 Carried::Carried(const Fluid &from, const Part &to, MPI_Comm comm) :
     comm_(comm), bytes_of_node_(from.directions() * from.bytes_of_population()),
-    grains_(all_spheres(from, comm)), counts_{from.links(), from.gaps(), from.refilled()}
+    grains_(all_spheres(from, comm)), counts_{from.links(), from.gaps(), from.refilled(),
+                                              from.ledger(), from.mean_density()}
 {
   int ranks;
   MPI_Comm_size(comm, &ranks);

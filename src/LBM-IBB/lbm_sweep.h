@@ -26,11 +26,13 @@ struct Solids {
   template <int W> bool any_fluid(Index n) const { return any_negative<W>(owner + n); }
 };
 
-// the same, and the density excess of each node is kept for the wall term of moving surfaces
+// the same; the density excess of each node is kept for the wall term of moving surfaces, and each
+// gets the same small mass, at rest, see Ledger::RESTORED
 struct MovingSolids {
   static constexpr bool present = true, keep_density = true;
   const int32_t *owner;
   float *drho;
+  double gain = 0.0;
   template <int W> bool any_fluid(Index n) const { return any_negative<W>(owner + n); }
 };
 
@@ -65,6 +67,7 @@ LBM_INLINE inline void update_nodes(const Slots<L> &p, Index n, Index ahead,
       f[i] = where_fluid<W>(owner, f[i]);
     });
   }
+  if constexpr (Solid::keep_density) f[0] = f[0] + typename L::Real(solid.gain);
   const V drho = collide(f, force);
   if constexpr (Solid::keep_density) store(solid.drho + n, convert<PackFloat<W>>(drho));
   unroll<L::Q>([&](auto i) LBM_INLINE {

@@ -94,10 +94,11 @@ void add_responses(const Layout &at, const Cover &cover, const Links &links,
 }
 
 template <class L, class Rule>
-void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-             const std::vector<Gain> &gains)
+Taken correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
+              const std::vector<Gain> &gains)
 {
   const Decoder decode(at);
+  Taken taken;
   for_each_group(cover, links, [&](const LinkGroup &group) {
     const int i = group.direction;
     const Gain &gain = gains[group.sphere];
@@ -110,15 +111,19 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
         du = du + L::e[i][d] * gain.velocity[d] + reach.turn[d] * gain.spin[d];
       const V less = reach.a * du;
       for (int l = 0; l < count; l++) back[node[l]] -= less[l];
+      const double pushed = 6.0 * L::w[i] * sum(du, count);
+      taken.displaced -= pushed;
+      taken.swallowed += sum(less, count) - pushed;
     });
   });
+  return taken;
 }
 
-#define LBM_INSTANTIATE_RULE(L, Rule)                                                            \
-  template void add_responses<L, Rule>(const Layout &, const Cover &, const Links &,             \
-                                       std::vector<Response> &);                                 \
-  template void correct<L, Rule>(const Layout &, const Slots<L> &, const Cover &, const Links &, \
-                                 const std::vector<Gain> &);
+#define LBM_INSTANTIATE_RULE(L, Rule)                                                             \
+  template void add_responses<L, Rule>(const Layout &, const Cover &, const Links &,              \
+                                       std::vector<Response> &);                                  \
+  template Taken correct<L, Rule>(const Layout &, const Slots<L> &, const Cover &, const Links &, \
+                                  const std::vector<Gain> &);
 #define LBM_INSTANTIATE(L)         \
   LBM_INSTANTIATE_RULE(L, Halfway) \
   LBM_INSTANTIATE_RULE(L, Bouzidi) \

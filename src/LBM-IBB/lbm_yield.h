@@ -29,14 +29,19 @@ struct Gain {
   Vec3 velocity{}, spin{};
 };
 
+// mass that the fluid lost to faster surfaces, as Load has it
+struct Taken {
+  double displaced = 0.0, swallowed = 0.0;
+};
+
 // the links of spheres that yield, of a list that may have others as well
 template <class L, class Rule>
 void add_responses(const Layout &at, const Cover &cover, const Links &links,
                    std::vector<Response> &responses);
 // in the slots that the links wrote; gains by sphere
 template <class L, class Rule>
-void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-             const std::vector<Gain> &gains);
+Taken correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
+              const std::vector<Gain> &gains);
 
 }    // namespace lbm
 #endif

@@ -294,7 +294,7 @@ TEST(Plan, SecondsAddUp)
 TEST(PlanPace, LinksOfASphereAndADisc)
 {
   EXPECT_NEAR(links_of_sphere(5.275, 3), 1992, 0.01 * 1992);
-  Sample sample;
+  PaceSample sample;
   sample.n = {24, 24, 24};
   for (int dimension : {2, 3}) {
     sample.dimension = dimension;
@@ -320,7 +320,7 @@ TEST(PlanPace, LinksOfASphereAndADisc)
 TEST(PlanPace, MeasuresSomethingSensible)
 {
   for (int dimension : {2, 3}) {
-    Sample sample;
+    PaceSample sample;
     sample.dimension = dimension;
     sample.n = {40, 40, dimension == 2 ? 1 : 40};
     sample.radius = 5.0;

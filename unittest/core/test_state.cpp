@@ -39,7 +39,10 @@ void hand_over(const lbm::Fluid &from, lbm::Fluid &to)
     from.give(part, data.data());
     to.take(part, data.data());
   }
-  to.resume(from.own_spheres(), {});
+  lbm::Counts counts;
+  counts.ledger = from.ledger();
+  counts.mean = from.mean_density();
+  to.resume(from.own_spheres(), counts);
 }
 
 template <class Real> void goes_on(bool single, const std::vector<int> &steps)
@@ -47,6 +50,7 @@ template <class Real> void goes_on(bool single, const std::vector<int> &steps)
   for (const int before : steps) {
     lbm::Settings settings;
     settings.single = single;
+    settings.hold_mean = true;
     const Vec3 force{1e-4, 0, -2e-4};
     scene::Box box(settings, N, force), other(settings, N, force);
     box.conserve = other.conserve = true;
@@ -64,6 +68,8 @@ template <class Real> void goes_on(bool single, const std::vector<int> &steps)
         b->advance();
       }
     EXPECT_EQ(populations<Real>(*other.fluid), populations<Real>(*box.fluid)) << before;
+    EXPECT_EQ(other.fluid->ledger().numbers(), box.fluid->ledger().numbers());
+    EXPECT_NE(box.fluid->ledger().gain(lbm::Ledger::RESTORED), 0.0);
     EXPECT_GT(box.fluid->refilled().grad, 0);
     EXPECT_NE(other.fluid->survey().speed.value, 0.0);
     for (std::size_t k = 0; k < box.loads.size(); k++)

@@ -38,8 +38,8 @@ class Obstacles : public FluidTest {
     return error_of(box(cells) + regions + fluid(options) + run(0));
   }
   // force and torque on obstacle k = 1, 2, ...
-  Triple push(int k) const { return {out(9 + 6 * k), out(10 + 6 * k), out(11 + 6 * k)}; }
-  Triple turn(int k) const { return {out(12 + 6 * k), out(13 + 6 * k), out(14 + 6 * k)}; }
+  Triple push(int k) const { return {out(25 + 6 * k), out(26 + 6 * k), out(27 + 6 * k)}; }
+  Triple turn(int k) const { return {out(28 + 6 * k), out(29 + 6 * k), out(30 + 6 * k)}; }
 };
 
 static double size(const Triple &a)
@@ -211,7 +211,7 @@ TEST_F(Obstacles, ThinPartsAreWarnedOf)
   EXPECT_IN(log, "the fluid passes through parts of region both");
   EXPECT_NOT_IN(log, "lie in parts thinner");
   EXPECT_IN(log, "obstacle both: 288 solid nodes");
-  EXPECT_IN(log, "f_w[15] to [20]");
+  EXPECT_IN(log, "f_w[31] to [36]");
 }
 
 TEST_F(Obstacles, RegionMustStayAsItIs)

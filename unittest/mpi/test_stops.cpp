@@ -139,9 +139,11 @@ TEST_F(StopsOnRanks, FaceTooSudden)
 
 TEST_F(StopsOnRanks, TooFewCells)
 {
-  const std::string message = stops(box({12, 12, 12}) + grain(1, {6.2, 6.1, 5.9}, 2.2),
-                                    fluid("check 1 accel 0.5 0 0") + frozen() + run(500));
-  EXPECT_IN(message, "Likely cause: ");
+  // in a box so narrow that no node is further than 2 cells from the surface
+  const std::string message = stops(box({5, 5, 5}) + grain(1, {2.6, 2.5, 2.4}, 2.2),
+                                    fluid("check 1 accel 2.5 0 0") + frozen() + run(500));
+  EXPECT_IN(message, "radius 2.2 cells");
+  EXPECT_IN(message, "Likely cause: too few cells per radius for this flow; refine dx");
 }
 
 TEST_F(StopsOnRanks, FlowTooFast)
