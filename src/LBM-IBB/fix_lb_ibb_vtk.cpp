@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 using namespace LAMMPS_NS;
@@ -221,6 +222,7 @@ void FixLbIbbVtk::init()
 // the state a run starts from, unless it is that which the last one ended with
 void FixLbIbbVtk::setup(int)
 {
+  if (known.step < 0) known = moment();
   if (goes_on && written < 0) {
     int has = 0;
     if (comm->me == 0)
@@ -240,17 +242,26 @@ void FixLbIbbVtk::end_of_step()
   write();
 }
 
-// all there is to know is on disk, in the lists of files
+// what was written is on disk, in the lists of files
 void FixLbIbbVtk::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const int version = 1, bytes = sizeof(int);
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(&version, sizeof(int), 1, fp);
+  const Moment present = moment();
+  fwrite(&present.bytes, sizeof(int), 1, fp);
+  fwrite(&present, sizeof present, 1, fp);
 }
 
-void FixLbIbbVtk::restart(char *)
+void FixLbIbbVtk::restart(char *buf)
 {
+  Moment saved;
+  int head[2];
+  std::memcpy(head, buf, sizeof head);
+  if (head[0] != saved.version || head[1] != saved.bytes)
+    error->all(FLERR,
+               "Fix lb/ibb/vtk: the restart file was written by another version of this package: "
+               "give this fix another ID, and another name to its files");
+  std::memcpy(&saved, buf, sizeof saved);
+  known = saved;
   goes_on = true;
 }
 
@@ -258,7 +269,17 @@ void FixLbIbbVtk::restart(char *)
 
 double FixLbIbbVtk::now() const
 {
-  return update->atime + double(update->ntimestep - update->atimestep) * update->dt;
+  if (known.step < 0)
+    return update->atime + double(update->ntimestep - update->atimestep) * update->dt;
+  return known.time + double(update->ntimestep - known.step) * update->dt;
+}
+
+FixLbIbbVtk::Moment FixLbIbbVtk::moment() const
+{
+  Moment present;
+  present.step = update->ntimestep;
+  present.time = now();
+  return present;
 }
 
 void FixLbIbbVtk::write()
