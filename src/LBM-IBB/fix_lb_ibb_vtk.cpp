@@ -39,7 +39,7 @@ constexpr const char *DEFAULT_FIELDS[] = {"pressure", "velocity", "solid"};
 FixLbIbbVtk::FixLbIbbVtk(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), fluid(nullptr), has_grains(atom->radius_flag), stride(1),
     encoding(lbm::vtk_has_zlib() ? lbm::VtkEncoding::ZLIB : lbm::VtkEncoding::RAW), goes_on(false),
-    written(-1), nodes{}
+    written(-1), nodes{}, lo{}, hi{}
 {
   if (narg < 6) utils::missing_cmd_args(FLERR, "fix lb/ibb/vtk", error);
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
