@@ -57,7 +57,7 @@ function(lbmibb_add_to_lammps)
   endif()
 
   # For LAMMPS's Python module: the same objects as one shared library. "ninja lammps_shared", tools/python
-  if(core AND NOT BUILD_SHARED_LIBS)
+  if(NOT BUILD_SHARED_LIBS)
     add_library(lammps_shared SHARED EXCLUDE_FROM_ALL $<TARGET_OBJECTS:lammps> $<TARGET_OBJECTS:lbmibb_core>)
     set_target_properties(lammps_shared PROPERTIES OUTPUT_NAME lammps LINKER_LANGUAGE CXX
       LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/python")

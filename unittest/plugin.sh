@@ -51,23 +51,23 @@ boundary p p f
 comm_modify vel yes
 region box block 0 2.4e-3 0 2.0e-3 0 3.2e-3
 create_box 1 box
-create_atoms 1 single 0.5e-3 0.5e-3 0.6e-3
-create_atoms 1 single 1.35e-3 0.5e-3 0.6e-3
+create_atoms 1 single 0.5e-3 0.5e-3 0.46e-3
+create_atoms 1 single 1.41e-3 0.5e-3 0.46e-3
 set group all diameter 9e-4 density 1300
-set atom 1 vx 2e-3 vy -1e-3
+set atom 1 vx 4e-3 vy -1e-3 vz -4e-3
 pair_style gran/lsd/coulomb
 pair_coeff * * 10.0 0.9 0.4
 neighbor 1e-4 bin
-timestep 5e-5
+timestep 8e-6
 fix m all nve/sphere
-fix w all lb/ibb dx 1e-4 nu 1e-6 rho 1000 every 10 accel 2e-2 0 0 face zlo wall face zhi wall
+fix w all lb/ibb dx 1e-4 nu 1e-6 rho 1000 every 50 accel 2e-2 0 0 face zlo wall face zhi wall
 fix g all wall/gran/lsd/coulomb 10.0 0.9 0.4 zplane 0 3.2e-3
 fix z all lb/ibb/vtk 100 w scene
 compute p all lb/ibb/profile w z layers 4
 thermo 100
 thermo_style custom step f_w[6] f_w[9] f_w[13] c_p[1][6] ke
 thermo_modify format float %.8g
-run 200
+run 800
 END_OF_SCENE
 echo "plugin load $folder/good/lbmibbplugin.so" | cat - in.scene > in.loaded
 { echo "plugin list"; echo "clear"; } > in.list
@@ -75,7 +75,7 @@ echo "plugin load $folder/good/lbmibbplugin.so" | cat - in.scene > in.loaded
 mpirun -np 2 -x LAMMPS_PLUGIN_PATH="$folder/good" "$host" -in in.scene -log none > path.txt ||
   die "it cannot run by way of LAMMPS_PLUGIN_PATH: $(tail path.txt)"
 "$builtin" -in in.scene -log none > builtin.txt
-numbers() { awk '$1 == 200 && NF == 6' "$1"; }
+numbers() { awk '$1 == 800 && NF == 6' "$1"; }
 numbers builtin.txt | grep -q . || die "no numbers: $(tail builtin.txt)"
 for way in loaded path; do
   paste <(numbers builtin.txt) <(numbers $way.txt) | awk '

@@ -17,13 +17,13 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "group.h"
 #include "modify.h"
 #include "region.h"
 #include "update.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 using namespace LAMMPS_NS;
@@ -39,7 +39,7 @@ constexpr const char *DEFAULT_FIELDS[] = {"pressure", "velocity", "solid"};
 FixLbIbbVtk::FixLbIbbVtk(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), fluid(nullptr), has_grains(atom->radius_flag), stride(1),
     encoding(lbm::vtk_has_zlib() ? lbm::VtkEncoding::ZLIB : lbm::VtkEncoding::RAW), goes_on(false),
-    written(-1), nodes{}
+    written(-1), nodes{}, lo{}, hi{}
 {
   if (narg < 6) utils::missing_cmd_args(FLERR, "fix lb/ibb/vtk", error);
   nevery = utils::inumeric(FLERR, arg[3], false, lmp);
@@ -221,6 +221,7 @@ void FixLbIbbVtk::init()
 // the state a run starts from, unless it is that which the last one ended with
 void FixLbIbbVtk::setup(int)
 {
+  if (known.step < 0) known = moment();
   if (goes_on && written < 0) {
     int has = 0;
     if (comm->me == 0)
@@ -240,118 +241,25 @@ void FixLbIbbVtk::end_of_step()
   write();
 }
 
-// all there is to know is on disk, in the lists of files
+// what was written is on disk, in the lists of files
 void FixLbIbbVtk::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const int version = 1, bytes = sizeof(int);
-  fwrite(&bytes, sizeof(int), 1, fp);
-  fwrite(&version, sizeof(int), 1, fp);
+  const Moment present = moment();
+  fwrite(&present.bytes, sizeof(int), 1, fp);
+  fwrite(&present, sizeof present, 1, fp);
 }
 
-void FixLbIbbVtk::restart(char *)
+void FixLbIbbVtk::restart(char *buf)
 {
+  Moment saved;
+  int head[2];
+  std::memcpy(head, buf, sizeof head);
+  if (head[0] != saved.version || head[1] != saved.bytes)
+    error->all(FLERR,
+               "Fix lb/ibb/vtk: the restart file was written by another version of this package: "
+               "give this fix another ID, and another name to its files");
+  std::memcpy(&saved, buf, sizeof saved);
+  known = saved;
   goes_on = true;
-}
-
-// ---------------------------------------------------------------------- writing
-
-double FixLbIbbVtk::now() const
-{
-  return update->atime + double(update->ntimestep - update->atimestep) * update->dt;
-}
-
-void FixLbIbbVtk::write()
-{
-  written = update->ntimestep;
-  if (fluid_series) write_fluid();
-  if (grain_series) write_grains();
-}
-
-// the file is complete, or this is why not
-void FixLbIbbVtk::list(lbm::VtkSeries &series, const std::string &why)
-{
-  std::string failure = why;
-  if (failure.empty() && comm->me == 0) failure = series.add(written, now());
-  failure = lbm::agreed(failure, world);
-  if (!failure.empty()) error->all(FLERR, "Fix lb/ibb/vtk: {}", failure);
-}
-
-void FixLbIbbVtk::write_fluid()
-{
-  const double dx = fluid->spacing(), step = stride * dx;
-  lbm::Vec3 origin;
-  for (int d = 0; d < 3; d++) origin[d] = domain->boxlo[d] + (nodes.lo[d] + 0.5) * dx;
-  if (domain->dimension == 2) origin[2] = 0.0;
-  auto file = lbm::vtk_image(nodes.n, origin, {step, step, step}, now());
-  const lbm::Part part = nodes.within(fluid->own_nodes());
-  const int writers = encoding == lbm::VtkEncoding::BASE64 ? 1 : comm->nprocs;
-  for (const Field &field : fields) {
-    const int columns = std::max(1, field.columns);
-    const auto values = lbm::in_order(fluid->sample(field.index, nodes), part, nodes.n, columns,
-                                      writers, lbm::VTK_BLOCK, world);
-    file.sections[0].arrays.push_back(lbm::vtk_array(field.name, columns, values));
-  }
-  list(*fluid_series, lbm::write_vtk(fluid_series->file(written), file, encoding, world));
-}
-
-// grains of the group that reach into the box of the region, by ID
-void FixLbIbbVtk::write_grains()
-{
-  enum { ID, TYPE, PLACE, RADIUS = PLACE + 3, VELOCITY, OMEGA = VELOCITY + 3, FORCE = OMEGA + 3 };
-  enum { TORQUE = FORCE + 3, SIZE = TORQUE + 3 };
-  using Row = std::array<double, SIZE>;
-  std::vector<Row> mine;
-  for (int i = 0; i < atom->nlocal; i++) {
-    if (!(atom->mask[i] & groupbit)) continue;
-    double x[3] = {atom->x[i][0], atom->x[i][1], atom->x[i][2]};
-    domain->remap(x);
-    const double r = atom->radius[i], *load = fluid->array_atom[i];
-    bool reaches = true;
-    for (int d = 0; d < domain->dimension; d++) reaches &= x[d] + r >= lo[d] && x[d] - r <= hi[d];
-    if (!reaches) continue;
-    Row row;
-    row[ID] = double(atom->tag[i]);
-    row[TYPE] = atom->type[i];
-    row[RADIUS] = r;
-    for (int d = 0; d < 3; d++) {
-      row[PLACE + d] = x[d];
-      row[VELOCITY + d] = atom->v[i][d];
-      row[OMEGA + d] = atom->omega_flag ? atom->omega[i][d] : 0.0;
-      row[FORCE + d] = load[d];
-      row[TORQUE + d] = load[3 + d];
-    }
-    mine.push_back(row);
-  }
-
-  std::vector<int> count(comm->nprocs), first(comm->nprocs, 0);
-  const int n = int(mine.size());
-  MPI_Gather(&n, 1, MPI_INT, count.data(), 1, MPI_INT, 0, world);
-  for (int r = 1; r < comm->nprocs; r++) first[r] = first[r - 1] + count[r - 1];
-  std::vector<Row> rows(comm->me == 0 ? first.back() + count.back() : 0);
-  const lbm::Type row(sizeof(Row));
-  MPI_Gatherv(mine.data(), n, row.handle(), rows.data(), count.data(), first.data(), row.handle(),
-              0, world);
-  std::sort(rows.begin(), rows.end());
-
-  auto column = [&](int from, int columns) {
-    std::vector<double> values;
-    for (const Row &grain : rows)
-      values.insert(values.end(), grain.begin() + from, grain.begin() + from + columns);
-    return values;
-  };
-  auto whole = [&](int from) {
-    const auto values = column(from, 1);
-    return std::vector<std::int64_t>(values.begin(), values.end());
-  };
-  // on the other ranks they are all there too, and empty; but the number of points is the first's
-  auto file = lbm::vtk_points(column(PLACE, 3), now());
-  file.sections[0].arrays = {lbm::vtk_array("id", 1, whole(ID)),
-                             lbm::vtk_array("type", 1, whole(TYPE)),
-                             lbm::vtk_array("radius", 1, column(RADIUS, 1)),
-                             lbm::vtk_array("velocity", 3, column(VELOCITY, 3)),
-                             lbm::vtk_array("omega", 3, column(OMEGA, 3)),
-                             lbm::vtk_array("force", 3, column(FORCE, 3)),
-                             lbm::vtk_array("torque", 3, column(TORQUE, 3))};
-  list(*grain_series, lbm::write_vtk(grain_series->file(written), file, encoding, world));
 }

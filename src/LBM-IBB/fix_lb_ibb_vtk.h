@@ -52,6 +52,13 @@ class FixLbIbbVtk : public Fix {
   std::unique_ptr<lbm::VtkSeries> fluid_series, grain_series;
   bool goes_on;      // the restart file that was read had this fix in it
   bigint written;    // last step that was
+  // A moment whose time is known. LAMMPS's own clock forgets, in a restart file of mid-run, the time
+  // since that run began.
+  struct Moment {
+    int version = 1, bytes = sizeof(Moment);
+    bigint step = -1;
+    double time = 0.0;
+  } known;
   lbm::Sample nodes;
   double lo[3], hi[3];    // what the region reaches over
 
@@ -62,6 +69,7 @@ class FixLbIbbVtk : public Fix {
   void check_interval();
   void choose_nodes();
   double now() const;
+  Moment moment() const;
   void write();
   void write_fluid();
   void write_grains();

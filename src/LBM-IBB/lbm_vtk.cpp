@@ -51,7 +51,7 @@ namespace {
   struct Appended {
     std::vector<Number> header;
     std::vector<char> data;
-    Number header_bytes, before, data_bytes;    // before: data of the ranks before this one
+    Number header_bytes = 0, before = 0, data_bytes = 0;    // before: of the ranks before this one
     Number bytes() const { return header_bytes + data_bytes; }
   };
 
@@ -112,7 +112,6 @@ namespace {
       a.header_bytes = sizeof(Number);
     }
     const Number mine = a.data.size();
-    a.before = 0;
     MPI_Exscan(&mine, &a.before, 1, MPI_UINT64_T, MPI_SUM, comm);
     a.data_bytes = total(mine, comm);
     return a;

@@ -27,6 +27,7 @@
 #include "update.h"
 
 #include <filesystem>
+#include <regex>
 
 class VtkFiles : public FluidTest {
  protected:
@@ -204,7 +205,8 @@ TEST_F(VtkFiles, GoOnAfterARestart)
   const std::string moving = "\nfix m all nve/sphere",
                     again =
                         fluid("accel 1e-3 2e-3 0 face zlo wall face zhi wall every 2 restart at10");
-  script(scene() + vtk("4 w a") + run(10) + "\nwrite_restart at10" + run(11));    // and is killed
+  script(scene() + vtk("4 w a") + run(10) + "\nwrite_restart at10\nrestart 12 mid.*" +
+         run(11));    // and is killed
   EXPECT_EQ(VtkReader::text_of("a-fluid.pvd"), list_of("a-fluid", {0, 4, 8, 12, 16, 20}, dt));
   std::filesystem::remove("a-fluid-000000004.vti");    // somebody tidied up
   start();
@@ -220,6 +222,12 @@ TEST_F(VtkFiles, GoOnAfterARestart)
   EXPECT_EQ(std::filesystem::last_write_time("a-fluid-000000016.vti"),
             std::filesystem::file_time_type{});
   EXPECT_EQ(VtkReader::text_of("a-fluid.pvd"), list_of("a-fluid", {0, 8, 12, 16, 20}, dt));
+  // from a file of mid-run, too
+  start();
+  script("read_restart mid.12\nneighbor 1e-4 bin" + moving +
+         std::regex_replace(again, std::regex("at10"), "mid.12") + vtk("4 w a") + run(4));
+  EXPECT_EQ(VtkReader::text_of("a-fluid.pvd"), list_of("a-fluid", {0, 8, 12, 16}, dt));
+  EXPECT_NEAR(VtkReader("a-fluid-000000016.vti").time(), 16 * dt, 1e-12 * dt);
   // another fix, of another ID: a new series
   start();
   script("read_restart at10\nneighbor 1e-4 bin" + moving + again + vtk("4 w a", "other") + run(4));
