@@ -105,7 +105,7 @@ Pace measure_pace(const PaceSample &sample, int rank, int ranks, Neighbours &nei
     const double seconds = seconds_of(step, neighbours);
     double links = fluid->links();
     neighbours.max(&links, 1);
-    pace.link = links > 0.0 ? std::max(0.0, seconds - nodes * pace.node) / links : 0.0;
+    if (links > 0.0) pace.link = (seconds - nodes * pace.node) / links;
   }
   pace.bytes = fluid->bytes() / double(fluid->layout().size);
   neighbours.max(&pace.bytes, 1);
