@@ -84,7 +84,7 @@ Pace measure_pace(const PaceSample &sample, int rank, int ranks, Neighbours &nei
   settings.single = sample.single;
   settings.tau = sample.tau;
   const auto fluid = Fluid::create(settings, lo, n, global, neighbours);
-  fluid->set_force({1e-9, 0.0, 0.0});    // most scenes have one, and it costs a little in every node
+  fluid->set_force({1e-9, 0.0, 0.0});    // most scenes have one, at some cost in every node
   fluid->fill(0.0);
   std::vector<Load> loads;
   std::vector<Sphere> spheres;
