@@ -26,9 +26,7 @@ array=(-var phi 0.3 -var table "$here/array.dat")
 example 1 periodic_arrays array "${array[@]}" -var cells 10
 example 1 periodic_arrays array-fine "${array[@]}" -var cells 32 -var places 1
 if [ "$size" = full ]; then
-  for cells in 9 15; do
-    example 2 settling_sphere "sphere-$cells" -var case E3 -var cells $cells -var out "$here/sphere"
-  done
+  example 2 settling_sphere sphere -var case E3 -var cells 9 -var out "$here/sphere"
 fi
 python3 check.py "$size" times > times.txt
 while read -r ranks scene time options; do

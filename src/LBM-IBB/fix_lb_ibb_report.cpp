@@ -27,7 +27,8 @@ using namespace LAMMPS_NS;
 // of the coarsest grain; the table was measured with the default rules
 std::string FixLbIbb::expected_errors(double smallest)
 {
-  if (domain->dimension == 2 || options.bgk || options.link != lbm::LinkRule::CLI) return "";
+  if (domain->dimension == 2 || options.bgk || options.link != lbm::LinkRule::CLI || radii)
+    return "";
   std::string why;
   const lbm::Accuracy accuracy = read_accuracy(lmp, why);
   if (accuracy.empty()) return fmt::format("  errors to expect are not known: {}\n", why);

@@ -11,34 +11,17 @@
 
 #include "lb_ibb_radius.h"
 
-#include "comm.h"
+#include "lb_ibb_table.h"
+
 #include "error.h"
 #include "tokenizer.h"
 
-#include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
 using namespace LAMMPS_NS;
 
 static constexpr const char *FILE_NAME = "lbm-ibb.radius";
-
-// the whole table, on all ranks; empty if there is none
-static std::string content(LAMMPS *lmp)
-{
-  std::string text;
-  if (lmp->comm->me == 0) {
-    const std::string path = utils::get_potential_file_path(FILE_NAME);
-    std::ifstream file(path);
-    if (!path.empty()) text.assign(std::istreambuf_iterator<char>(file), {});
-  }
-  int length = int(text.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
-  text.resize(length);
-  MPI_Bcast(&text[0], length, MPI_CHAR, 0, lmp->world);
-  return text;
-}
 
 // linear between rows; smaller spheres as the smallest, the error of larger ones is of second order
 static double at(const std::map<double, double> &rows, double r)
@@ -53,14 +36,10 @@ static double at(const std::map<double, double> &rows, double r)
 
 LBRadius::LBRadius(LAMMPS *lmp, const std::string &link, double tau)
 {
-  const std::string text = content(lmp);
-  if (text.empty()) {
-    const char *folders = std::getenv("LAMMPS_POTENTIALS");
-    lmp->error->all(FLERR,
-                    "Fix lb/ibb keyword radius: no file {} here or in a folder of the environment "
-                    "variable LAMMPS_POTENTIALS ({}): set it, or use radius given",
-                    FILE_NAME, folders ? folders : "not set");
-  }
+  const std::string text = read_table(lmp, FILE_NAME);
+  if (text.empty())
+    lmp->error->all(FLERR, "Fix lb/ibb keyword radius: {}: set it, or use radius given",
+                    no_table(FILE_NAME));
   std::map<double, Rows> by_tau;    // 0: any
   std::istringstream lines(text);
   std::string line;

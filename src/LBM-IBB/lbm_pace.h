@@ -27,8 +27,9 @@ struct PaceSample {
 
 // seconds of a rank while all of them work
 struct Pace {
-  double node = 0.0;     // of a step, by node of the lattice, messages included
-  double link = 0.0;     // more by cut link: cover, links, refilling, less the solid nodes left out
+  double node = 0.0;    // of a step, by node of the lattice, messages included
+  double link =
+      0.0;    // more by cut link: cover, links, refilling, less solid nodes left out: may be < 0
   double bytes = 0.0;    // by node in memory, ghosts counted as nodes
 };
 

@@ -101,7 +101,7 @@ namespace {
         limit.lower(std::sqrt(share / compressible()),
                     print("compressibility, %.2g %% of error", 100.0 * share));
       // t_d = n nu H^2 / (k c_s^2), from the balance of mass in a bed of compressible water
-      if (w.time > 0.0 && w.height > 0.0 && a.permeability > 0.0)
+      if (w.pressure > 0.0 && w.time > 0.0 && w.height > 0.0 && a.permeability > 0.0)
         limit.lower(std::sqrt(w.time * a.permeability /
                               (3.0 * WAIT * (1.0 - w.fraction) * w.nu * w.height * w.height)),
                     print("pressure through the bed in 1/%g of the time", WAIT));
@@ -262,7 +262,7 @@ namespace {
       a.excess = units.density_excess(w.pressure);
       a.compressibility = compressible() * (units.dt / units.dx) * (units.dt / units.dx);
       const double cs = units.sound_speed();
-      if (a.permeability > 0.0 && w.height > 0.0)
+      if (w.pressure > 0.0 && a.permeability > 0.0 && w.height > 0.0)
         a.diffusion = (1.0 - w.fraction) * w.nu * w.height * w.height / (a.permeability * cs * cs);
       if (w.time > 0.0) a.fluid_steps = std::ceil(w.time / units.dt * TIGHT);
       const double r = w.smallest / units.dx;
@@ -288,21 +288,9 @@ namespace {
 
 }    // namespace
 
-double carman_kozeny(double diameter, double fraction)
-{
-  const double pores = 1.0 - fraction;
-  return diameter * diameter * pores * pores * pores / (180.0 * fraction * fraction);
-}
-
 Advice advise(const Wish &wish, const Accuracy &accuracy)
 {
   return Adviser(wish, accuracy).advise();
-}
-
-double seconds_of_run(const Advice &advice, const Work &work, const Pace &pace)
-{
-  const double fluid = work.nodes * pace.node + work.links * pace.link;
-  return advice.fluid_steps * (fluid + advice.every * work.granular);
 }
 
 }    // namespace lbm

@@ -63,14 +63,22 @@ Advice advise(const Wish &wish, const Accuracy &accuracy);
 constexpr double DENSE = 0.3;
 
 // Kozeny 1927, Carman 1937: k = d^2 (1 - phi)^3 / (180 phi^2)
-double carman_kozeny(double diameter, double fraction);
+inline double carman_kozeny(double diameter, double fraction)
+{
+  const double pores = 1.0 - fraction;
+  return diameter * diameter * pores * pores * pores / (180.0 * fraction * fraction);
+}
 
 // what a rank with most to do has to do
 struct Work {
   double nodes = 0.0, links = 0.0;
   double granular = 0.0;    // seconds of a granular step
 };
-double seconds_of_run(const Advice &advice, const Work &work, const Pace &pace);
+inline double seconds_of_run(const Advice &advice, const Work &work, const Pace &pace)
+{
+  const double fluid = work.nodes * pace.node + work.links * pace.link;
+  return advice.fluid_steps * (fluid + advice.every * work.granular);
+}
 
 }    // namespace lbm
 #endif

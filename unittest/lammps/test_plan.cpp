@@ -15,7 +15,7 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
-// lb/plan in a script: what it refuses, the variables it leaves, and that the fix takes its numbers.
+// lb/plan in a script: what it refuses, the variables it leaves, the fix that takes its numbers.
 
 #include "fluid_scenes.h"
 
