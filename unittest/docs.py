@@ -4,10 +4,12 @@
 small MANUAL FOLDER PAGE...       a manual of the pages, and of those that they link to
 conf LAMMPS/doc FOLDER WORDS      LAMMPS's Sphinx configuration for it, less what is not installed
 messages SRC HOWTO                is every message that the page quotes one that the sources print?
+commands ROOT                     does all exist that "./run ..." and links on our pages name?
 """
 import importlib.util
 import pathlib
 import re
+import shlex
 import shutil
 import sys
 
@@ -76,5 +78,50 @@ def messages(sources, howto):
     sys.exit(1 if absent else 0)
 
 
+def commands(root):
+    """./run WHAT -var NAME ...: WHAT is there, and its script has a variable NAME; relative links lead somewhere"""
+    root = pathlib.Path(root)
+    wrong, seen = [], 0
+
+    def check(page, line):
+        words = shlex.split(re.split(" {3,}|#", line)[0])    # less what explains it
+        while words and words[0] == "-np":
+            words = words[2:]
+        what = words.pop(0) if words and not words[0].startswith("-") else "quicksand"
+        script = root / "examples" / what / f"in.{what}"
+        if (root / "tools" / what).is_file():
+            names = [w for w in words if re.fullmatch("[a-z_0-9]+", w)] if what == "figures" else []
+            wrong.extend(f"{page}: no example {n}" for n in names
+                         if n not in ("full", "quick") and not (root / "examples" / n / "figure.sh").exists())
+            return
+        if not script.exists():
+            script = root / what if (root / what).is_file() else page.parent / what
+        if not script.is_file():
+            if "path/to" not in what:
+                wrong.append(f"{page}: ./run {what}: there is no such thing")
+            return
+        text = "".join(f.read_text() for f in [script, *script.parent.glob("*.lmp")])
+        for at, word in enumerate(words):
+            if word in ("-var", "-v") and not re.search(rf"^variable\s+{words[at + 1]}\s", text, re.M):
+                wrong.append(f"{page}: {script.name} has no variable {words[at + 1]}")
+
+    pages = [p for kind in ("*.md", "doc/*.md", "doc/*/*.md", "examples/*/README.md", "bench/*.md", "doc/src/*.rst",
+                            "examples/*/in.*") for p in root.glob(kind)]
+    for page in pages:
+        text = page.read_text()
+        for line in re.findall(r"^(?:    |#   |   )(?:\.\./\.\.|\.)/run\b(.*)$", text, re.M):
+            check(page, line)
+            seen += 1
+        if page.suffix == ".md":
+            for link in re.findall(r"\]\(([^)#\s]+)", text):
+                if "://" not in link and not (page.parent / link).exists():
+                    wrong.append(f"{page}: the link {link} leads nowhere")
+    for line in wrong:
+        print(line)
+    if seen < 30:
+        sys.exit(f"commands: found {seen} alone")
+    sys.exit(1 if wrong else 0)
+
+
 if __name__ == "__main__":
-    {"small": small, "conf": conf, "messages": messages}[sys.argv[1]](*sys.argv[2:])
+    {"small": small, "conf": conf, "messages": messages, "commands": commands}[sys.argv[1]](*sys.argv[2:])

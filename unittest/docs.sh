@@ -82,7 +82,8 @@ else
   echo "no spelling checker here (python3-sphinxcontrib.spelling, python3-enchant): not checked"
 fi
 
-# ---- messages that the Howto explains must be messages of the code
+# ---- messages that the Howto explains must be messages of the code; commands and links must lead somewhere
 "$python" "$root/unittest/docs.py" messages "$root/src/LBM-IBB" "$root/doc/src/Howto_lbm_ibb.rst" || bad=1
+"$python" "$root/unittest/docs.py" commands "$root" || bad=1
 echo "${#pages[@]} pages: $folder/html/Howto_lbm_ibb.html"
 exit $bad

@@ -26,6 +26,12 @@ cp -r "$root/unittest" "$lammps/unittest/lbm-ibb"
 cp "$root"/potentials/* "$lammps/potentials"
 cp --remove-destination "$tree/unittest/CMakeLists.txt" "$lammps/unittest"
 echo 'add_subdirectory(lbm-ibb)' >> "$lammps/unittest/CMakeLists.txt"
+if [ ! -e "$lammps/examples/COUPLE/simple/CMakeLists.txt" ]; then    # not in every copy of the tree
+  mkdir -p "$lammps/examples/COUPLE/simple"
+  echo 'add_executable(simpleC EXCLUDE_FROM_ALL none.cpp)
+add_executable(simpleCC EXCLUDE_FROM_ALL none.cpp)' > "$lammps/examples/COUPLE/simple/CMakeLists.txt"
+  echo 'int main() { return 0; }' > "$lammps/examples/COUPLE/simple/none.cpp"
+fi
 tar -c -z -f "$folder/googletest.tar.gz" -C /usr/src --transform 's,^googletest,googletest-offline,' googletest
 read -r md5 _ < <(md5sum "$folder/googletest.tar.gz")
 read -r sha256 _ < <(sha256sum "$folder/googletest.tar.gz")
@@ -35,7 +41,7 @@ unset CMAKE_BUILD_TYPE
 export CMAKE_GENERATOR=Ninja CXXFLAGS=-O0
 have ccache && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 cmake -C "$root/cmake/lbm-ibb.cmake" -S "$lammps/cmake" -B "$folder/build" -D LBMIBB_PCH=ON -D LBMIBB_ARCH=none \
-  -D ENABLE_TESTING=ON -D GTEST_URL="file://$folder/googletest.tar.gz" -D GTEST_MD5="$md5" -D GTEST_SHA256="$sha256"
+  -D CMAKE_Fortran_COMPILER=NOTFOUND -D ENABLE_TESTING=ON -D GTEST_URL="file://$folder/googletest.tar.gz" -D GTEST_MD5="$md5" -D GTEST_SHA256="$sha256"
 cmake --build "$folder/build" --parallel "$(nproc)" \
   --target lmp core_lattice core_faces lammps_library lammps_potentials mpi_profile_ranks
 cd "$folder/build"
