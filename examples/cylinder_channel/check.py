@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 C_D, C_L, DP = 5.57953523384, 0.010618948146, 0.11752016697
-LIMIT = {10: (4, 40, 8), 20: (1, 15, 3), 40: (0.5, 6, 1.5)}    # per cent, of drag, lift and pressure, by cells per diameter
+LIMIT = {10: (2, 10, 5), 20: (0.7, 3, 2), 40: (0.25, 1.5, 1)}    # per cent, of drag, lift and pressure, by cells per diameter
 
 
 def read_grid(name):
