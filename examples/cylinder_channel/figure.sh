@@ -16,6 +16,5 @@ flow staircase20 -var link halfway
 flow street20 -var case 2 -var tau 0.53 -var seconds 13 -var gather 3
 if [ "$size" = full ]; then
   flow steady40 -var cells 40
-  flow street40 -var case 2 -var tau 0.53 -var seconds 13 -var gather 3 -var cells 40
 fi
 python3 check.py "$size"
