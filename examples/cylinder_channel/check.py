@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 C_D, C_L, DP = 5.57953523384, 0.010618948146, 0.11752016697
-LIMIT = {10: (4, 40, 8), 20: (1, 15, 3), 40: (0.5, 6, 1.5)}    # per cent, of drag, lift and pressure, by cells per diameter
+LIMIT = {10: (2, 10, 5), 20: (0.7, 3, 2), 40: (0.25, 1.5, 1)}    # per cent, of drag, lift and pressure, by cells per diameter
 
 
 def read_grid(name):
@@ -64,15 +64,15 @@ def steady(name, cells, out, gated):
     return 100 * (found[0] / C_D - 1)
 
 
-def street(name, out, gated):
+def street(name, out):
     rows = [[float(x) for x in row.split()] for row in pathlib.Path(f"{name}.series").read_text().splitlines() if row.strip()]
     rows = [r for r in rows if r[0] > rows[-1][0] - 1.5]
     drag, lift = max(r[1] for r in rows), max(r[2] for r in rows)
     ups = [a[0] - a[2] * (b[0] - a[0]) / (b[2] - a[2]) for a, b in zip(rows, rows[1:]) if a[2] < 0 <= b[2]]
     period = (ups[-1] - ups[0]) / (len(ups) - 1)
     for what, value, low, high in (("c_D_max", drag, 3.22, 3.24), ("c_L_max", lift, 0.99, 1.01), ("Strouhal", 0.1 / period, 0.295, 0.305)):
-        slack = 0.0 if what == "Strouhal" else 0.03    # of 20 cells per diameter
-        print(f"{what}_{name} {value:.4f} {f'{low * (1 - slack):.4f} {high * (1 + slack):.4f}' if gated else '- -'}", file=out)
+        slack = 0.0 if what == "Strouhal" else 0.05    # of 20 cells per diameter and Ma = 0.19
+        print(f"{what}_{name} {value:.4f} {low * (1 - slack):.4f} {high * (1 + slack):.4f}", file=out)
 
 
 def main(size):
@@ -83,9 +83,7 @@ def main(size):
             print(f"c_D_error_ratio_{cells} {fine / coarse:.3f} -0.6 0.6", file=out)
         rough = steady("staircase20", 20, out, False)
         print(f"c_D_error_staircase_over_fractions {abs(rough / errors[1]):.1f} 2 -", file=out)
-        street("street20", out, True)
-        if size == "full":
-            street("street40", out, True)
+        street("street20", out)
     print(open("results.txt").read(), end="")
 
 

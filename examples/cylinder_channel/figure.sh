@@ -13,9 +13,8 @@ flow() {
 }
 for cells in 10 20; do flow steady$cells -var cells $cells; done
 flow staircase20 -var link halfway
-flow street20 -var case 2 -var tau 0.53 -var seconds 6
+flow street20 -var case 2 -var tau 0.53 -var seconds 13 -var gather 3
 if [ "$size" = full ]; then
   flow steady40 -var cells 40
-  flow street40 -var case 2 -var tau 0.53 -var seconds 6 -var cells 40
 fi
 python3 check.py "$size"

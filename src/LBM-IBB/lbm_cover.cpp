@@ -115,7 +115,7 @@ void Cover::fill(std::size_t s)
   });
 }
 
-// their numbers change with that of the spheres, and nodes of spheres that overlapped them are clear
+// their numbers change with that of the spheres, and what spheres overlapped of them is clear
 void Cover::fill_obstacles()
 {
   obstacles_->for_each_stretch([&](Index first, int n, int k) {

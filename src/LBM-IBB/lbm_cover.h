@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Which nodes the spheres cover. A node is solid if it lies strictly inside a sphere; where spheres
 // overlap it belongs to the one it lies deepest in, ties to the smaller id, of two
-// images to the smaller centre: no choice depends on the order of the list or on the rank. Obstacles
-// follow the spheres in the list, and keep their nodes whatever overlaps them.
+// images to the smaller centre: no choice depends on the order of the list or on the rank.
+// Obstacles follow the spheres in the list, and keep their nodes whatever overlaps them.
 //
 // Cost: proportional to covered nodes, not to the box.
 

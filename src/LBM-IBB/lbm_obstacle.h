@@ -2,9 +2,9 @@
 // Solids of any shape that stay where they are. Lattice units.
 //
 // A shape is known by one question alone: does this point lie inside? Which nodes it covers, and at
-// which fraction q of each link to them its surface lies, is found once for a block; from then on an
-// obstacle is one more body among the spheres of a Cover, after the last of them, whose nodes and
-// fractions are looked up here. Where a sphere overlaps an obstacle its nodes stay the obstacle's.
+// which fraction q of each link to them its surface lies, is found once for a block; from then on
+// an obstacle is one more body of a Cover, after the last of its spheres, whose nodes and fractions
+// are looked up here. Where a sphere overlaps an obstacle its nodes stay the obstacle's.
 
 #ifndef LBM_OBSTACLE_H
 #define LBM_OBSTACLE_H

@@ -47,7 +47,7 @@ class Fluid {
                                        const Int3 &global, Neighbours &neighbours);
   virtual ~Fluid() = default;
 
-  // Solids that are not spheres, before the first follow(); and what such shapes would be. Collective.
+  // Solids that are not spheres, before the first follow(); what such shapes would be. Collective.
   virtual std::vector<ShapeReview> set_obstacles(const std::vector<Shape> &shapes) = 0;
   virtual std::vector<ShapeReview> review(const std::vector<Shape> &shapes) = 0;
   // what each got, summed over ranks; the next step depends on it

@@ -86,7 +86,7 @@ TEST(Obstacles, BallIsAGrain)
       }
 }
 
-// Couette flow between two obstacles, of which one slides along itself: linear to round-off wherever
+// Couette flow between two obstacles, of which one slides along itself: linear to round-off where
 // between nodes the two planes lie; force and torque are those of the shear
 TEST(Obstacles, PlanesAreExact)
 {
@@ -155,7 +155,7 @@ TEST(Obstacles, SlantedChannel)
   EXPECT_GT(staircase, 3.0 * fractions);
 }
 
-// What the fluid loses the obstacle and the grain on it get, to round-off: gaps of one node and links
+// What the fluid loses the obstacle and the grains on it get, to round-off: gaps of one node, links
 // hidden between the two included
 TEST(Obstacles, MomentumIsConserved)
 {
@@ -184,7 +184,7 @@ TEST(Obstacles, MomentumIsConserved)
   }
 }
 
-// Grains that touch, overlap or nearly touch an obstacle feel nothing in fluid at rest under pressure,
+// Grains that touch, overlap or nearly touch an obstacle feel nothing in fluid at rest and pressed,
 // once the density around them is known; nor does an obstacle that the fluid surrounds
 TEST(Obstacles, GiveNothingInFluidAtRestUnderPressure)
 {

@@ -130,7 +130,7 @@ TEST_F(Obstacles, CylinderThatTurnsInAnother)
   const double T = 4.0 * PI_ * RHO * NU * w * R1 * R1 * R2 * R2 / (R2 * R2 - R1 * R1);
   EXPECT_NEAR(turn(1)[2] / T, -1.0, 0.01);
   EXPECT_NEAR(turn(2)[2] / turn(1)[2], -1.0, 1e-3);
-  EXPECT_LT(size(push(1)), 1e-3 * T / R1);
+  EXPECT_LT(size(push(1)), 0.01 * T / R1);    // 0 but for its place on the lattice
   // and the speed is that of the surface there
   EXPECT_NEAR(out(3) * SOUND / (w * R1), 1.0, 0.02);
 }
@@ -162,7 +162,7 @@ TEST_F(Obstacles, WordsOfTheLine)
   EXPECT_IN(refusal(stone, "obstacle stone obstacle stone"), "'obstacle stone' is given twice");
   EXPECT_IN(refusal(stone, "obstacle stone velocity 0 0"), "stone velocity");
   EXPECT_IN(refusal(stone, "obstacle stone velocity 0 0 v_u"), "Expected floating point");
-  EXPECT_IN(refusal(stone, "obstacle stone omega 0 0 nan about 0 0 0"), "not a finite number");
+  EXPECT_IN(refusal(stone, "obstacle stone omega 0 0 nan about 0 0 0"), "parameter instead of 'nan'");
   EXPECT_IN(refusal(stone, "obstacle stone omega 0 0 1"), "omega needs a point of its axis: about");
   EXPECT_IN(refusal(stone, "obstacle stone about 0 0 0 about 0 0 0"), "'about' is given twice");
   EXPECT_IN(refusal(stone, "obstacle stone fast 0 0 1"), "unknown keyword 'fast'");
