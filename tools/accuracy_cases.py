@@ -355,8 +355,8 @@ def lb_fluids(quick):
     if quick:
         return []
     return [lb_fluid(0.125, n, stencil) for stencil in (2, 4) for n in (8, 13, 20)] + \
-        [lb_fluid(0.125, n, 2, less) for less in (0.3, 0.5) for n in (8, 13, 20)] + \
-        [lb_fluid(0.45, n, 2, less) for less in (0.0, 0.3, 0.5) for n in (6, 10, 16)]
+        [lb_fluid(0.125, n, 2, 0.4) for n in (8, 13, 20)] + \
+        [lb_fluid(0.45, n, 2, less) for less in (0.0, 0.4) for n in (6, 10, 16)]
 
 
 GROUPS = {"array_0.125": lambda quick: arrays(0.125, quick), "array_0.45": lambda quick: arrays(0.45, quick),
