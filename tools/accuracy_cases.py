@@ -79,7 +79,7 @@ def plate(cells, tau=3.0, sweep="dx", **choice):
     D = round(1.32 * cells)
 
     def evaluate(done):
-        F = [float(d.files["plates.dat"].split()[9]) for d in done]
+        F = [float(d.files["plates.dat"].split()[-4]) for d in done]    # rules may be several words
         mean = sum(F) / len(F)
         spread = math.sqrt(sum((f - mean)**2 for f in F) / len(F)) / mean
         return [{"quantity": "drag", "value": mean, "reference": plates_reference(D / (0.11 * cells)),

@@ -136,7 +136,8 @@ def launch(run):
     nodes = re.search(r"(\d+) x (\d+) x (\d+) nodes", text)
     memory = re.findall(r"memory (\S+)\s+MiB", text)
     sizes = [int(n) for n in nodes.groups()] if nodes else [0, 0, 0]
-    return {"text": text, "files": files, "wall": sum(float(t) for t, _ in loops),
+    said = "\n".join(re.findall(r"^result .*", text, re.M))
+    return {"text": said, "files": files, "wall": sum(float(t) for t, _ in loops),
             "cpu": usage.ru_utime + usage.ru_stime, "steps": sum(int(n) for _, n in loops),
             "nodes": sizes[0] * sizes[1] * sizes[2], "memory": float(memory[-1]) if memory else 0.0, "load": load}
 
