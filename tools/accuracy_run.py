@@ -133,7 +133,7 @@ def launch(run):
             raise Failed(f"{run.command()}: {(error or [text[-300:]])[0]}")
         files = {f: (folder / f).read_text() for f in run.files}
     loops = re.findall(r"^Loop time of (\S+) on .* for (\d+) steps", text, re.M)
-    nodes = re.search(r"(\d+) x (\d+) x (\d+) nodes", text)
+    nodes = re.search(r"(\d+) x (\d+) x (\d+) nodes", text) or re.search(r"grid of (\d+) by (\d+) by (\d+)", text)
     memory = re.findall(r"memory (\S+)\s+MiB", text)
     sizes = [int(n) for n in nodes.groups()] if nodes else [0, 0, 0]
     said = "\n".join(re.findall(r"^result .*", text, re.M))
