@@ -79,7 +79,7 @@ def plate(cells, tau=3.0, sweep="dx", **choice):
     D = round(1.32 * cells)
 
     def evaluate(done):
-        F = [float(d.files["plates.dat"].split()[9]) for d in done]
+        F = [float(d.files["plates.dat"].split()[-4]) for d in done]    # rules may be several words
         mean = sum(F) / len(F)
         spread = math.sqrt(sum((f - mean)**2 for f in F) / len(F)) / mean
         return [{"quantity": "drag", "value": mean, "reference": plates_reference(D / (0.11 * cells)),
@@ -355,8 +355,8 @@ def lb_fluids(quick):
     if quick:
         return []
     return [lb_fluid(0.125, n, stencil) for stencil in (2, 4) for n in (8, 13, 20)] + \
-        [lb_fluid(0.125, n, 2, less) for less in (0.3, 0.5) for n in (8, 13, 20)] + \
-        [lb_fluid(0.45, n, 2, less) for less in (0.0, 0.3, 0.5) for n in (6, 10, 16)]
+        [lb_fluid(0.125, n, 2, 0.4) for n in (8, 13, 20)] + \
+        [lb_fluid(0.45, n, 2, less) for less in (0.0, 0.4) for n in (6, 10, 16)]
 
 
 GROUPS = {"array_0.125": lambda quick: arrays(0.125, quick), "array_0.45": lambda quick: arrays(0.45, quick),

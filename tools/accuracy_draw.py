@@ -19,6 +19,8 @@ TITLE = {"array_0.125": "cubic array, solid fraction .125", "array_0.45": "cubic
 def marker(row):
     if row["precision"] == "single":
         return "x"
+    if row["radius"] == "calibrated":
+        return "*"
     return {"trt": "o", "bgk": "s"}.get(row["collision"].split()[0], "d")
 
 
@@ -29,7 +31,7 @@ def scatter(ax, rows, x):
 
 
 def cost(table, out):
-    """error against core seconds: every choice, the front, the slope of theory"""
+    """error against node updates: every choice, the front, the slope of theory"""
     cases = [case for case in CASES_3D if len(of(table, case)) > 2]
     if not cases:
         return
@@ -40,33 +42,46 @@ def cost(table, out):
         ax.set_axis_off()
     for ax, case in zip(axes.flat, cases):
         rows = of(table, case)
-        scatter(ax, rows, "cpu_s")
-        best = front(rows, "cpu_s")
-        ax.loglog([number(r, "cpu_s") for r in best], [100 * error(r) for r in best], "k-", lw=1)
+        scatter(ax, rows, "node_updates")
+        best = front(rows, "node_updates")
+        ax.loglog([number(r, "node_updates") for r in best], [100 * error(r) for r in best], "k-", lw=1)
         mine = refinement(table, case)
         if len(mine) > 1:
-            x0, y0, x1 = number(mine[0], "cpu_s"), 100 * error(mine[0]), number(mine[-1], "cpu_s")
+            x0, y0, x1 = number(mine[0], "node_updates"), 100 * error(mine[0]), number(mine[-1], "node_updates")
             ax.loglog([x0, x1], [y0, y0 * (x1 / x0)**-0.4], "k:", lw=1)
-            ax.loglog([number(r, "cpu_s") for r in mine], [100 * error(r) for r in mine], "C0-", lw=2, alpha=0.4)
-        other = [r for r in table if r["case"] == case.replace("array", "lb_fluid")]
-        for sweep, mark in zip(sorted({r["sweep"] for r in other}), "*Pv^X"):
-            some = [r for r in other if r["sweep"] == sweep]
-            ax.loglog([number(r, "cpu_s") for r in some], [100 * error(r) for r in some], mark + "-", color="0.5", lw=0.8,
-                      ms=6, label="lb/fluid, " + some[0]["link"])
-        if other:
-            ax.legend(fontsize=6)
+            ax.loglog([number(r, "node_updates") for r in mine], [100 * error(r) for r in mine], "C0-", lw=2, alpha=0.4)
         ax.set_title(TITLE[case], fontsize=9)
-        ax.set_xlabel("core seconds", fontsize=8)
+        ax.set_xlabel("node updates", fontsize=8)
         ax.set_ylabel("error and scatter (%)", fontsize=8)
     handles = [plt.Line2D([], [], marker="o", ls="", mfc="none", color=c, label=name) for name, c in COLOUR.items()]
     handles += [plt.Line2D([], [], marker=m, ls="", mfc="none", color="0.4", label=n)
-                for m, n in (("s", "bgk"), ("d", "other Lambda"), ("x", "single precision"))]
+                for m, n in (("s", "bgk"), ("d", "other Lambda"), ("x", "single precision"), ("*", "radius calibrated"))]
     handles += [plt.Line2D([], [], color="C0", lw=2, alpha=0.4, label="default, refined"),
                 plt.Line2D([], [], color="k", lw=1, label="front"),
                 plt.Line2D([], [], color="k", ls=":", lw=1, label="slope -2/5")]
     figure.legend(handles=handles, loc="lower center", ncol=6, fontsize=8, frameon=False)
     figure.tight_layout(rect=(0, 0.07, 1, 1))
     save(figure, out, "cost")
+
+
+def peer(table, out):
+    """the same arrays by LAMMPS's own fix lb/fluid, against core seconds of whole processes"""
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.8))
+    for ax, phi in zip(axes, ("0.125", "0.45")):
+        kinds = {"lb/ibb": refinement(table, f"array_{phi}"),
+                 "lb/ibb, radius calibrated": [r for r in of(table, f"array_{phi}") if r["radius"] == "calibrated"
+                                               and r["link"] == "cli"]}
+        other = [r for r in table if r["case"] == f"lb_fluid_{phi}"]
+        for words in sorted({r["link"] for r in other}):
+            kinds[f"lb/fluid, {words}"] = [r for r in other if r["link"] == words]
+        for name, rows in kinds.items():
+            if rows:
+                ax.loglog([number(r, "cpu_s") for r in rows], [100 * error(r) for r in rows], "o-", ms=4, label=name)
+        ax.set_title(TITLE[f"array_{phi}"], fontsize=9)
+        ax.set_xlabel("core seconds for one place")
+        ax.set_ylabel("error and scatter (%)")
+        ax.legend(fontsize=7)
+    save(figure, out, "peer")
 
 
 def order(table, out):
@@ -190,5 +205,5 @@ def draw(table, out):
     if plt is None:
         print("no matplotlib: no figures")
         return
-    for make in (cost, order, tau, surface, moving, small):
+    for make in (cost, peer, order, tau, surface, moving, small):
         make(table, out)

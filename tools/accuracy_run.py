@@ -133,10 +133,11 @@ def launch(run):
             raise Failed(f"{run.command()}: {(error or [text[-300:]])[0]}")
         files = {f: (folder / f).read_text() for f in run.files}
     loops = re.findall(r"^Loop time of (\S+) on .* for (\d+) steps", text, re.M)
-    nodes = re.search(r"(\d+) x (\d+) x (\d+) nodes", text)
+    nodes = re.search(r"(\d+) x (\d+) x (\d+) nodes", text) or re.search(r"grid of (\d+) by (\d+) by (\d+)", text)
     memory = re.findall(r"memory (\S+)\s+MiB", text)
     sizes = [int(n) for n in nodes.groups()] if nodes else [0, 0, 0]
-    return {"text": text, "files": files, "wall": sum(float(t) for t, _ in loops),
+    said = "\n".join(re.findall(r"^result .*", text, re.M))
+    return {"text": said, "files": files, "wall": sum(float(t) for t, _ in loops),
             "cpu": usage.ru_utime + usage.ru_stime, "steps": sum(int(n) for _, n in loops),
             "nodes": sizes[0] * sizes[1] * sizes[2], "memory": float(memory[-1]) if memory else 0.0, "load": load}
 

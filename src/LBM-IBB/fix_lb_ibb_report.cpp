@@ -52,7 +52,10 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
       "{:.4g}\n",
       nodes[0], nodes[1], nodes[2], options.dx, domain->dimension == 2 ? "D2Q9" : "D3Q19",
       options.single ? " in single precision" : "",
-      options.bgk ? "bgk" : fmt::format("trt, Lambda = {:.5g}", options.magic), nevery, units.dt,
+      options.bgk               ? "bgk"
+          : options.regularised ? "regularised"
+                                : fmt::format("trt, Lambda = {:.5g}", options.magic),
+      nevery, units.dt,
       units.tau(options.nu), 0.1 * units.sound_speed(), 0.3 * units.sound_speed());
   for (int d = 0; d < domain->dimension; d++)
     if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&

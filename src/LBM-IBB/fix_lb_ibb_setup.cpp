@@ -234,6 +234,7 @@ void FixLbIbb::create_fluid()
   s.dimension = domain->dimension;
   s.tau = units.tau(options.nu);
   s.bgk = options.bgk;
+  s.regularised = options.regularised;
   s.single = options.single;
   s.magic = options.magic;
   s.link = options.link;

@@ -66,7 +66,7 @@ void LBOptionsParser::check_radius() const
   if (!o.calibrated) return;
   if (domain->dimension == 2)
     error->all(FLERR, "Fix lb/ibb keyword radius: there is no table for discs: use radius given");
-  if (o.bgk || o.magic != LBOptions{}.magic)
+  if (o.bgk || o.regularised || o.magic != LBOptions{}.magic)
     error->all(FLERR,
                "Fix lb/ibb keyword radius: the table is of collision trt {}: use that, or radius "
                "given",
@@ -83,10 +83,12 @@ void LBOptionsParser::keyword()
     o.check = count("interval of the stability check");
   } else if (name == "collision") {
     const int at = iarg;
-    const std::string rule = next("bgk or trt");
-    if (rule != "bgk" && rule != "trt") refuse(at, "'" + rule + "' is neither bgk nor trt");
+    const std::string rule = next("trt, bgk or regularised");
+    if (rule != "trt" && rule != "bgk" && rule != "regularised")
+      refuse(at, "'" + rule + "' is none of trt, bgk, regularised");
     o.bgk = rule == "bgk";
-    if (!o.bgk && follows_number()) o.magic = positive("trt Lambda");
+    o.regularised = rule == "regularised";
+    if (rule == "trt" && follows_number()) o.magic = positive("trt Lambda");
   } else if (name == "precision") {
     const int at = iarg;
     const std::string precision = next("double or single");

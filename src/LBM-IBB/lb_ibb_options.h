@@ -49,7 +49,7 @@ struct LBObstacle {
 struct LBOptions {
   double dx = 0.0, nu = 0.0, rho = 0.0;
   int every = 1, check = 100;
-  bool bgk = false, single = false, average = true, conserve = true, calibrated = false;
+  bool bgk = false, regularised = false, single = false, average = true, conserve = true, calibrated = false;
   enum { AUTO, EXPLICIT, IMPLICIT } coupling = AUTO;
   bool has_gradp = false, has_buoyancy = false;
   double magic = 3.0 / 16.0, shrink = 0.0;

@@ -32,7 +32,8 @@ namespace {
         at(at), lattice{global, {}}, block(at), halo(at, neighbours),
         pass(at, settings.link, settings.ledger, settings.tile), enclosed(at),
         neighbours(neighbours), collide(settings.bgk ? Trt<L>::bgk(settings.tau)
-                                                     : Trt<L>::trt(settings.tau, settings.magic))
+                                                     : Trt<L>::trt(settings.tau, settings.magic)),
+        regularised(Regularised<L>::with(settings.tau))
     {
       for (int d = 0; d < 3; d++) {
         lattice.periodic[d] = d < L::D && settings.faces[d][0].kind == FaceKind::PERIODIC;
@@ -257,6 +258,7 @@ namespace {
     Enclosed<L> enclosed;
     Neighbours &neighbours;
     Trt<L> collide;
+    Regularised<L> regularised;
     Vec3 force{};
     AtEnd at_end;
 
@@ -355,12 +357,21 @@ namespace {
         sweep_nodes(f, NoSolids{}, region);
     }
 
-    // never inlined: the loop is then as good whatever is around it
     template <class Force, class Solid>
-    __attribute__((noinline)) void sweep_nodes(const Force &f, const Solid &solid,
-                                               const Region &region)
+    void sweep_nodes(const Force &f, const Solid &solid, const Region &region)
     {
-      sweep(block, collide, f, solid, region);
+      if (settings.regularised)
+        sweep_by(regularised, f, solid, region);
+      else
+        sweep_by(collide, f, solid, region);
+    }
+
+    // never inlined: the loop is then as good whatever is around it
+    template <class Collision, class Force, class Solid>
+    __attribute__((noinline)) void sweep_by(const Collision &rule, const Force &f,
+                                            const Solid &solid, const Region &region)
+    {
+      sweep(block, rule, f, solid, region);
     }
 
     void collide_and_stream(const Region &region)

@@ -29,6 +29,7 @@ struct Settings {
   bool single = false;          // populations in single precision
   double tau = 0.8;             // relaxation time of the viscosity, > 1/2
   bool bgk = false;             // else two relaxation times
+  bool regularised = false;     // neither of them: the regularised rule
   double magic = 3.0 / 16.0;    // Lambda = (tau+ - 1/2)(tau- - 1/2)
   LinkRule link = LinkRule::CLI;
   RefillRule refill = RefillRule::GRAD;

@@ -267,7 +267,7 @@ TEST(Drag, LocalRefillLeavesThePressureInPlace)
     Settings s;
     s.refill = rule;
     s.faces[2][0].kind = s.faces[2][1].kind = FaceKind::WALL;
-    const double g = 1e-3, U = 0.02;
+    const double g = 1e-3, U = 0.01;
     const Int3 n{30, 18, 24};
     scene::Box box(s, n, {0.0, 0.0, -g});
     box.for_each_node([&](int x, int y, int z) {

@@ -51,7 +51,7 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("every 1.5"), "Expected integer parameter instead of '1.5'");
   EXPECT_IN(refusal("every"), "fluid step interval");
   EXPECT_IN(refusal("check 0"), "check: 0 must be at least 1");
-  EXPECT_IN(refusal("collision mrt"), "'mrt' is neither bgk nor trt");
+  EXPECT_IN(refusal("collision mrt"), "'mrt' is none of trt, bgk, regularised");
   EXPECT_IN(refusal("collision trt 0"), "trt Lambda = 0 must be larger than 0");
   EXPECT_IN(refusal("collision trt -0.2"), "trt Lambda = -0.2 must be larger than 0");
   EXPECT_IN(refusal("collision bgk 0.2"), "unknown keyword '0.2'");
