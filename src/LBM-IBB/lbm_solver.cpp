@@ -7,6 +7,7 @@
 #include "lbm_sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -54,8 +55,10 @@ namespace {
       now = nullptr;
       provide(now);
       now->place(with_obstacles({}));
-      covered = Index(find_covered(at, nullptr, *now).size());
+      const auto lost = covered_nodes();
+      covered = Index(lost.size());
       book.covered += double(covered);
+      book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
       return over_all(solids->reviews());
     }
     std::vector<ShapeReview> review(const std::vector<Shape> &shapes) override
@@ -198,7 +201,7 @@ namespace {
       if (spheres.empty()) return;
       provide(now);
       now->place(solids ? with_obstacles(spheres) : spheres);
-      covered = Index(find_covered(at, nullptr, *now).size());
+      covered = Index(covered_nodes().size());
       pass.recall(*now);
     }
 
@@ -425,14 +428,24 @@ namespace {
       }
     }
 
+    // of this rank, of spheres and obstacles; a look at all nodes
+    std::vector<Index> covered_nodes() const
+    {
+      std::vector<Index> list;
+      for (int z = 0; z < at.n[2]; z++)
+        for (int y = 0; y < at.n[1]; y++)
+          for (int x = 0; x < at.n[0]; x++)
+            if (solid(x, y, z)) list.push_back(at.index(x, y, z));
+      return list;
+    }
+
     // nodes become solid, and fluid
     void change_nodes()
     {
       std::vector<Uncovered> nodes;
       if (moved) {
         changed_since = true;
-        auto lost = find_covered(at, before.get(), *now);
-        if (!before && solids) leave_out_obstacles(lost);
+        const auto lost = find_covered(at, before.get(), *now);
         if (before) nodes = find_uncovered(at, *before, *now);
         book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
         book.covered += double(lost.size());
@@ -446,17 +459,6 @@ namespace {
         provide(now);
         drho.resize(at.size);
       }
-    }
-
-    // they have been solid from the start
-    void leave_out_obstacles(std::vector<Index> &nodes) const
-    {
-      const auto first = int32_t(now->spheres().size() - states.size());
-      nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
-                                 [&](Index n) {
-                                   return owner()[n] >= first;
-                                 }),
-                  nodes.end());
     }
 
     // one message for all that ranks have to know of each other
@@ -504,6 +506,8 @@ namespace {
     }
 
     // What the mean density has lost comes back with the next sweep, evenly: no force comes of it.
+    // No more than a scene that is well could need: where one node blows up, the others must not.
+    static constexpr double GAIN_MAX = 1e-4;
     void hold_mean(bool any_moved)
     {
       gain = 0.0;
@@ -518,7 +522,8 @@ namespace {
         const double excess = s.mass - s.fluid_nodes;
         mean = {1.0, excess - ledger().total_excess(), excess / s.fluid_nodes};
       }
-      gain = mean.excess - (mean.start + sums.total_excess()) / nodes;
+      const double lost = mean.excess - (mean.start + sums.total_excess()) / nodes;
+      if (std::isfinite(lost)) gain = std::clamp(lost, -GAIN_MAX, GAIN_MAX);
     }
     Survey whole() const
     {
