@@ -443,16 +443,17 @@ namespace {
     void change_nodes()
     {
       std::vector<Uncovered> nodes;
+      std::vector<Index> lost;
       if (moved) {
         changed_since = true;
-        const auto lost = find_covered(at, before.get(), *now);
+        lost = find_covered(at, before.get(), *now);
         if (before) nodes = find_uncovered(at, *before, *now);
-        book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
-        book.covered += double(lost.size());
         covered += Index(lost.size()) - Index(nodes.size());
       }
-      bool any = !nodes.empty(), any_moved = moved && before != nullptr;
+      bool any = !nodes.empty(), any_moved = (moved && before) || motion != Motion::REST;
       agree(any, any_moved);
+      book.covered += double(lost.size());
+      book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
       if (any) refill(nodes);
       hold_mean(any_moved);
       if (motion != Motion::REST || gain != 0.0) {    // for MovingSolids
@@ -505,9 +506,9 @@ namespace {
                                    neighbours, counts.refilled);
     }
 
-    // What the mean density has lost comes back with the next sweep, evenly: no force comes of it.
+    // What the mean density had lost comes back with the next sweep, evenly: no force comes of it.
     // No more than a scene that is well could need: where one node blows up, the others must not.
-    static constexpr double GAIN_MAX = 1e-4;
+    static constexpr double GAIN_MAX = 1e-3;
     void hold_mean(bool any_moved)
     {
       gain = 0.0;
@@ -521,7 +522,10 @@ namespace {
         if (s.fluid_nodes == 0.0) return;
         const double excess = s.mass - s.fluid_nodes;
         mean = {1.0, excess - ledger().total_excess(), excess / s.fluid_nodes};
+        return;
       }
+      // as it was at the end of the last step: what surfaces displace, with them, in the next step
+      // belongs to the nodes that they cover and uncover now
       const double lost = mean.excess - (mean.start + sums.total_excess()) / nodes;
       if (std::isfinite(lost)) gain = std::clamp(lost, -GAIN_MAX, GAIN_MAX);
     }
