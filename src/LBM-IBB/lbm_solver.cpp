@@ -450,12 +450,14 @@ namespace {
         if (before) nodes = find_uncovered(at, *before, *now);
         covered += Index(lost.size()) - Index(nodes.size());
       }
-      bool any = !nodes.empty(), any_moved = (moved && before) || motion != Motion::REST;
-      agree(any, any_moved);
+      bool any = !nodes.empty(), any_moved = moved && before != nullptr;
+      bool any_motion = any_moved || motion != Motion::REST;
+      agree({&any, &any_moved, &any_motion});
       book.covered += double(lost.size());
       book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
       if (any) refill(nodes);
-      hold_mean(any_moved);
+      gain = any_motion ? lost_by_each_node() : 0.0;
+      if (!any_moved) gain = 0.0;    // surfaces that stay where they are lose no more than a refund
       if (motion != Motion::REST || gain != 0.0) {    // for MovingSolids
         provide(now);
         drho.resize(at.size);
@@ -463,18 +465,16 @@ namespace {
     }
 
     // one message for all that ranks have to know of each other
-    void agree(bool &any, bool &any_moved)
+    void agree(const std::array<bool *, 3> &any)
     {
       const auto numbers = book.numbers();
-      std::array<double, Ledger::SIZE + 2> sums;
+      std::array<double, Ledger::SIZE + 3> sums;
       std::copy(numbers.begin(), numbers.end(), sums.begin());
-      sums[Ledger::SIZE] = any;
-      sums[Ledger::SIZE + 1] = any_moved;
+      for (std::size_t k = 0; k < any.size(); k++) sums[Ledger::SIZE + k] = *any[k];
       neighbours.sum(sums.data(), int(sums.size()));
       counts.ledger.add(sums.data());
       book = {};
-      any = sums[Ledger::SIZE] > 0.0;
-      any_moved = sums[Ledger::SIZE + 1] > 0.0;
+      for (std::size_t k = 0; k < any.size(); k++) *any[k] = sums[Ledger::SIZE + k] > 0.0;
     }
 
     void refill(const std::vector<Uncovered> &nodes)
@@ -509,25 +509,24 @@ namespace {
     // What the mean density had lost comes back with the next sweep, evenly: no force comes of it.
     // No more than a scene that is well could need: where one node blows up, the others must not.
     static constexpr double GAIN_MAX = 1e-3;
-    void hold_mean(bool any_moved)
+    double lost_by_each_node()
     {
-      gain = 0.0;
-      if (!settings.hold_mean || !settings.ledger || has_open_face() || !any_moved) return;
+      if (!settings.hold_mean || !settings.ledger || has_open_face()) return 0.0;
       const Ledger &sums = counts.ledger;
       const double nodes = double(lattice.n[0]) * lattice.n[1] * lattice.n[2] + sums.nodes();
-      if (nodes <= 0.0) return;
       MeanDensity &mean = counts.mean;
       if (mean.known == 0.0) {
         const Survey s = whole();
-        if (s.fluid_nodes == 0.0) return;
+        if (s.fluid_nodes == 0.0) return 0.0;
         const double excess = s.mass - s.fluid_nodes;
         mean = {1.0, excess - ledger().total_excess(), excess / s.fluid_nodes};
-        return;
+        return 0.0;
       }
+      if (nodes <= 0.0) return 0.0;
       // as it was at the end of the last step: what surfaces displace, with them, in the next step
       // belongs to the nodes that they cover and uncover now
       const double lost = mean.excess - (mean.start + sums.total_excess()) / nodes;
-      if (std::isfinite(lost)) gain = std::clamp(lost, -GAIN_MAX, GAIN_MAX);
+      return std::isfinite(lost) ? std::clamp(lost, -GAIN_MAX, GAIN_MAX) : 0.0;
     }
     Survey whole() const
     {

@@ -249,7 +249,7 @@ TEST(MeanDensity, IsLeftAloneWhereItNeedNotBeKept)
     if (open) s.faces[2][0].kind = s.faces[2][1].kind = FaceKind::PRESSURE;
     scene::Box box(s, {20, 18, 22}, {1e-5, 0, 2e-5});
     const std::vector<Sphere> grain{
-        scene::sphere(1, {9.3, 8.1, 9.8}, 5.2, {open ? 2e-3 : 0.0, 0, 0})};
+        scene::sphere(1, {9.3, 8.1, 9.8}, 5.2, {open ? 2e-3 : 0.0, 0, 0}, {0, 0, 1e-3})};
     for (int t = 0; t < 50; t++) box.step(scene::drifted(grain, t));
     EXPECT_EQ(box.fluid->ledger().gain(Ledger::RESTORED), 0.0);
     EXPECT_NE(box.fluid->ledger().gain(Ledger::SWALLOWED), 0.0);
