@@ -136,7 +136,8 @@ namespace {
   double largest_volume(const Cover &cover, int dimension, Neighbours &neighbours)
   {
     double r = 0.0;
-    for (const Sphere &s : cover.spheres()) r = std::max(r, s.radius);
+    for (std::size_t s = 0; s < cover.spheres().size(); s++)
+      if (!cover.is_obstacle(s)) r = std::max(r, cover.spheres()[s].radius);
     neighbours.max(&r, 1);
     return dimension == 3 ? 4.0 / 3.0 * M_PI * r * r * r : M_PI * r * r;
   }
@@ -222,7 +223,7 @@ double Enclosed<L>::hold(const Slots<L> &f, const Cover &cover, Neighbours &neig
       for (int i = 0; i < L::Q; i++) {
         sum[EXCESS] += f[i][n];
         const int32_t s = owner[n + at_.offset(L::e[i])];
-        if (s < 0) continue;
+        if (s < 0 || cover.is_obstacle(s)) continue;
         sum[AROUND] += L::w[i] * cover.spheres()[s].drho;
         sum[WEIGHT] += L::w[i];
       }

@@ -6,7 +6,7 @@
 // empties it, as it does single nodes (fill_pockets() in lbm_refill.h). So the mean density of a
 // set of two nodes or more is kept at that around the spheres next to it, in every step, by the
 // same shift at all its nodes: flow and gradients in it are left alone. Sets larger than the
-// largest sphere are counted but not touched: a chamber keeps its water.
+// largest sphere, or with none around, are counted but not touched: a chamber keeps its water.
 //
 // Sets are found now and then, and kept until then though nodes come and go. Lattice units.
 

@@ -35,7 +35,7 @@ struct Uncovered {
 };
 std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now);
 
-// owned nodes covered now and not before; if before is null nothing was
+// owned nodes that spheres cover now and did not before; if before is null nothing was covered
 std::vector<Index> find_covered(const Layout &at, const Cover *before, const Cover &now);
 // density excess of nodes, summed
 template <class L> double excess_in(const Slots<L> &f, const std::vector<Index> &nodes);

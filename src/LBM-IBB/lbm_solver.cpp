@@ -7,6 +7,7 @@
 #include "lbm_sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -54,8 +55,10 @@ namespace {
       now = nullptr;
       provide(now);
       now->place(with_obstacles({}));
-      covered = Index(find_covered(at, nullptr, *now).size());
+      const auto lost = covered_nodes();
+      covered = Index(lost.size());
       book.covered += double(covered);
+      book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
       return over_all(solids->reviews());
     }
     std::vector<ShapeReview> review(const std::vector<Shape> &shapes) override
@@ -198,7 +201,7 @@ namespace {
       if (spheres.empty()) return;
       provide(now);
       now->place(solids ? with_obstacles(spheres) : spheres);
-      covered = Index(find_covered(at, nullptr, *now).size());
+      covered = Index(covered_nodes().size());
       pass.recall(*now);
     }
 
@@ -425,53 +428,53 @@ namespace {
       }
     }
 
+    // of this rank, of spheres and obstacles; a look at all nodes
+    std::vector<Index> covered_nodes() const
+    {
+      std::vector<Index> list;
+      for (int z = 0; z < at.n[2]; z++)
+        for (int y = 0; y < at.n[1]; y++)
+          for (int x = 0; x < at.n[0]; x++)
+            if (solid(x, y, z)) list.push_back(at.index(x, y, z));
+      return list;
+    }
+
     // nodes become solid, and fluid
     void change_nodes()
     {
       std::vector<Uncovered> nodes;
+      std::vector<Index> lost;
       if (moved) {
         changed_since = true;
-        auto lost = find_covered(at, before.get(), *now);
-        if (!before && solids) leave_out_obstacles(lost);
+        lost = find_covered(at, before.get(), *now);
         if (before) nodes = find_uncovered(at, *before, *now);
-        book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
-        book.covered += double(lost.size());
         covered += Index(lost.size()) - Index(nodes.size());
       }
       bool any = !nodes.empty(), any_moved = moved && before != nullptr;
-      agree(any, any_moved);
+      bool any_motion = any_moved || motion != Motion::REST;
+      agree({&any, &any_moved, &any_motion});
+      book.covered += double(lost.size());
+      book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
       if (any) refill(nodes);
-      hold_mean(any_moved);
+      gain = any_motion ? lost_by_each_node() : 0.0;
+      if (!any_moved) gain = 0.0;    // surfaces that stay where they are lose no more than a refund
       if (motion != Motion::REST || gain != 0.0) {    // for MovingSolids
         provide(now);
         drho.resize(at.size);
       }
     }
 
-    // they have been solid from the start
-    void leave_out_obstacles(std::vector<Index> &nodes) const
-    {
-      const auto first = int32_t(now->spheres().size() - states.size());
-      nodes.erase(std::remove_if(nodes.begin(), nodes.end(),
-                                 [&](Index n) {
-                                   return owner()[n] >= first;
-                                 }),
-                  nodes.end());
-    }
-
     // one message for all that ranks have to know of each other
-    void agree(bool &any, bool &any_moved)
+    void agree(const std::array<bool *, 3> &any)
     {
       const auto numbers = book.numbers();
-      std::array<double, Ledger::SIZE + 2> sums;
+      std::array<double, Ledger::SIZE + 3> sums;
       std::copy(numbers.begin(), numbers.end(), sums.begin());
-      sums[Ledger::SIZE] = any;
-      sums[Ledger::SIZE + 1] = any_moved;
+      for (std::size_t k = 0; k < any.size(); k++) sums[Ledger::SIZE + k] = *any[k];
       neighbours.sum(sums.data(), int(sums.size()));
       counts.ledger.add(sums.data());
       book = {};
-      any = sums[Ledger::SIZE] > 0.0;
-      any_moved = sums[Ledger::SIZE + 1] > 0.0;
+      for (std::size_t k = 0; k < any.size(); k++) *any[k] = sums[Ledger::SIZE + k] > 0.0;
     }
 
     void refill(const std::vector<Uncovered> &nodes)
@@ -503,22 +506,27 @@ namespace {
                                    neighbours, counts.refilled);
     }
 
-    // What the mean density has lost comes back with the next sweep, evenly: no force comes of it.
-    void hold_mean(bool any_moved)
+    // What the mean density had lost comes back with the next sweep, evenly: no force comes of it.
+    // No more than a scene that is well could need: where one node blows up, the others must not.
+    static constexpr double GAIN_MAX = 1e-3;
+    double lost_by_each_node()
     {
-      gain = 0.0;
-      if (!settings.hold_mean || !settings.ledger || has_open_face() || !any_moved) return;
+      if (!settings.hold_mean || !settings.ledger || has_open_face()) return 0.0;
       const Ledger &sums = counts.ledger;
       const double nodes = double(lattice.n[0]) * lattice.n[1] * lattice.n[2] + sums.nodes();
-      if (nodes <= 0.0) return;
       MeanDensity &mean = counts.mean;
       if (mean.known == 0.0) {
         const Survey s = whole();
-        if (s.fluid_nodes == 0.0) return;
+        if (s.fluid_nodes == 0.0) return 0.0;
         const double excess = s.mass - s.fluid_nodes;
         mean = {1.0, excess - ledger().total_excess(), excess / s.fluid_nodes};
+        return 0.0;
       }
-      gain = mean.excess - (mean.start + sums.total_excess()) / nodes;
+      if (nodes <= 0.0) return 0.0;
+      // as it was at the end of the last step: what surfaces displace, with them, in the next step
+      // belongs to the nodes that they cover and uncover now
+      const double lost = mean.excess - (mean.start + sums.total_excess()) / nodes;
+      return std::isfinite(lost) ? std::clamp(lost, -GAIN_MAX, GAIN_MAX) : 0.0;
     }
     Survey whole() const
     {

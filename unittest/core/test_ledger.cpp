@@ -114,6 +114,29 @@ TEST_P(LedgerOf, AllThatTheFluidGains)
 
 INSTANTIATE_TEST_SUITE_P(Scene, LedgerOf, testing::ValuesIn(all()));
 
+// an obstacle is covered from the start, and grains that run into it cover no more than the rest
+TEST(LedgerWith, Obstacles)
+{
+  Settings s;
+  s.tau = 0.7;
+  s.hold_mean = true;
+  scene::Box box(s, {20, 18, 17}, {1e-5, 0, 2e-5});
+  Shape wall;
+  wall.inside = [](const Vec3 &x) {
+    return x[0] > 12.3 && x[0] < 15.4;
+  };
+  wall.velocity = {0, 1e-2, 0};
+  const double start = box.fluid->survey().mass;
+  box.fluid->set_obstacles({wall});
+  const std::vector<Sphere> grain{
+      scene::sphere(1, {7.3, 8.1, 9.8}, 3.7, {0.05, 0.02, 0}, {0, 0, 1e-3})};
+  for (int t = 0; t < 60; t++) {
+    box.step(scene::drifted(grain, t));
+    ASSERT_NEAR(box.fluid->survey().mass - start, box.fluid->ledger().total(), 1e-13 * start) << t;
+  }
+  EXPECT_GT(box.fluid->ledger().covered, 3 * 18 * 17);
+}
+
 // ---- the mean density of a closed box
 
 class ClosedBox : public testing::TestWithParam<std::pair<int, bool>> {

@@ -277,7 +277,7 @@ TEST(Ranks, EnclosedFluid)
     s.settings.hold_mean = true;
     s.n = dimension == 3 ? Int3{17, 13, 16} : Int3{37, 30, 1};
     s.force = {1e-4, 1e-4, 0.0};
-    s.grains = crowd(s.n, dimension, dimension == 3 ? 160 : 150, 3);
+    s.grains = crowd(s.n, dimension, dimension == 3 ? 280 : 150, 4);
     for (Sphere &g : s.grains)
       for (double &v : g.velocity) v *= 0.1;
     s.steps = 50;
