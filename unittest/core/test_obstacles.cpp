@@ -86,8 +86,8 @@ TEST(Obstacles, BallIsAGrain)
       }
 }
 
-// Couette flow between two obstacles, of which one slides along itself: linear to round-off where
-// between nodes the two planes lie; force and torque are those of the shear
+// Couette flow between two obstacles, of which one slides along itself: linear to round-off,
+// wherever between nodes the planes lie; force and torque are those of the shear
 TEST(Obstacles, PlanesAreExact)
 {
   for (int dimension : {2, 3})
