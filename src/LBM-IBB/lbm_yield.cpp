@@ -64,21 +64,33 @@ template <class L> Taken taken(const Reach *reaches, const Gain &gain)
   return taken;
 }
 
+// in packs as bounce_back() makes them, so that a run that goes on does so to the bit
 template <class L, class Rule>
 void add_reaches(const Layout &at, const Cover &cover, const Links &links,
                  std::vector<Reach> &reaches)
 {
+  constexpr int W = SIMD_WIDTH;
+  using V = Pack<W>;
   const Decoder decode(at);
   for (const LinkGroup &group : links.groups) {
     const int(&e)[3] = L::e[group.direction];
     const Vec3 centre = cover.centre(group.sphere);
     const Turn turn(e);
-    ReachSums<double, true> sums;
-    for (std::size_t k = group.begin; k < group.end; k++) {
-      double arm[3];
-      decode(links.node[k], arm);
-      for (int d = 0; d < 3; d++) arm[d] += e[d] * links.q[k] - centre[d];
-      sums.add(Rule::at(links.q[k]).c4, turn.component(0, arm), turn.component(1, arm));
+    ReachSums<V, true> sums;
+    const auto add_pack = [&](const int32_t *node, const double *fractions, auto &to) LBM_INLINE {
+      const V q = load<V>(fractions);
+      V arm[3];
+      decode(load<PackInt<W>>(node), arm);
+      for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
+      to.add(Rule::template at<V>(q).c4, turn.component(0, arm), turn.component(1, arm));
+    };
+    std::size_t k = group.begin;
+    for (; k + W <= group.end; k += W) add_pack(&links.node[k], &links.q[k], sums);
+    if (k < group.end) {
+      const Tail<W> tail(links.node, links.q, k, group.end);
+      ReachSums<V, true> with_copies;
+      add_pack(tail.node, tail.q, with_copies);
+      sums.add_first(with_copies, int(group.end - k));
     }
     sums.add_to(reaches[std::size_t(group.sphere) * L::Q + group.direction],
                 double(group.end - group.begin));
