@@ -15,6 +15,7 @@
    Contributing authors: LBM-IBB developers
 ------------------------------------------------------------------------- */
 
+// ctest: RANKS 1 2 3 4
 // Light grains, whose velocity the fluid answers to within its step, across the faces of ranks.
 
 #include "fluid_ranks.h"
