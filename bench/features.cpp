@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 // Scene of the solver core for ./run features: a cube of 48 nodes, and what is named:
-//  features [grains] [moving] [rotation] [ledger] [faces] [walls] [force] [checks] [ranks]
+//  features [grains] [moving] [rotation] [yields] [ledger] [faces] [walls] [force] [checks] [ranks]
 // measured() is called for 1, 2 and 6 steps: the last less the one before are four steps without
 // anything that is done once. Printed is what the same scene must give in every build.
 
@@ -22,15 +22,15 @@ namespace {
 constexpr int N = 48, CELLS = 4;
 
 struct Wanted {
-  bool grains = false, moving = false, rotation = false, ledger = false, faces = false,
-       walls = false, force = false, checks = false, ranks = false;
+  bool grains = false, moving = false, rotation = false, yields = false, ledger = false,
+       faces = false, walls = false, force = false, checks = false, ranks = false;
 
   Wanted(int argc, char **argv)
   {
     const std::pair<const char *, bool *> names[] = {
-        {"grains", &grains}, {"moving", &moving}, {"rotation", &rotation},
-        {"ledger", &ledger}, {"faces", &faces},   {"walls", &walls},
-        {"force", &force},   {"checks", &checks}, {"ranks", &ranks}};
+        {"grains", &grains}, {"moving", &moving}, {"rotation", &rotation}, {"yields", &yields},
+        {"ledger", &ledger}, {"faces", &faces},   {"walls", &walls},       {"force", &force},
+        {"checks", &checks}, {"ranks", &ranks}};
     for (int k = 1; k < argc; k++) {
       bool known = false;
       for (const auto &[name, flag] : names)
@@ -71,7 +71,9 @@ struct Bed {
                   reaches && c[d] + radius > lo[d] - 2.0 && c[d] - radius < lo[d] + n[d] + 2.0;
             }
             const int id = b + 4 * (home(i) + CELLS * (home(j) + CELLS * home(k)));
-            if (reaches) spheres.push_back({id, c, radius, velocity, spin});
+            if (!reaches) continue;
+            spheres.push_back({id, c, radius, velocity, spin});
+            spheres.back().yields = wanted.yields;
           }
   }
 };
@@ -113,6 +115,8 @@ class Scene {
   void step()
   {
     if (bed) hand_in();
+    if (wanted.yields && !loads.empty())
+      fluid->correct({bed->spheres.size(), Gain{{1e-4, 0.0, 0.0}, {0.0, 0.0, 1e-5}}});
     fluid->follow(bed ? bed->spheres : none);
     fluid->advance(loads);
     if (wanted.checks) seen = fluid->survey().speed.value;

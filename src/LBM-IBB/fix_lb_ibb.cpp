@@ -43,8 +43,8 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), units{}, nodes{1, 1, 1}, fluid_steps(0), first_step(-1), last_step(-1),
     history(nullptr), ghosted(nullptr), nghosted(0), survey_step(-1), fastest{},
     warned_of_masses(false), atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr),
-    moving_bits(0), held_bits(0), about(LOADS), was_saved(false), starts_anew(false), trouble{},
-    warned_of_speed(false)
+    moving_bits(0), held_bits(0), tied_bits(0), about(LOADS), was_saved(false),
+    starts_anew(false), trouble{}, warned_of_speed(false)
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
   if (domain->box_exist == 0)

@@ -198,11 +198,21 @@ class FixLbIbb : public Fix {
 
   // light grains, in fix_lb_ibb_light.cpp: none of this is there without them
   class FixStoreAtom *light;
-  int moving_bits, held_bits;    // groups of fixes that move grains by forces, and that do not
+  // groups of fixes that integrate grains, that hold them where forces do not matter, and that have
+  // several or no say in how they move
+  int moving_bits, held_bits, tied_bits;
   enum { TOLD = lbm::Response::SIZE + 6 };
   std::vector<std::array<double, TOLD>> told;    // by local and ghost atom, between ranks
   enum { LOADS, RESPONSES } about;               // what ranks exchange now
+  // (1 + M^-1 zeta dt)^-1 by local atom, as long as it is that of this grain, step and mass
+  struct Yielding {
+    bigint grain = -1, fluid_step = -1;
+    double per_mass[2] = {};
+    std::array<double, 36> inverse;
+  };
+  std::vector<Yielding> yieldings;
   void find_integrators();
+  bool is_driven(int i) const;
   void provide_light();
   bool is_light(int i) const;
   double density_ratio(int i) const;

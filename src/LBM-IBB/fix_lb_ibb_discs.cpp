@@ -43,18 +43,6 @@ template <class Style> struct Inertia : Style {
   }
 };
 
-// of the atoms that other fixes let go where forces drive them
-bool is_free(int mask, const std::vector<Fix *> &fixes)
-{
-  bool moves = false;
-  for (auto *fix : fixes) {
-    if (!(mask & fix->groupbit)) continue;
-    if (utils::strmatch(fix->style, "^freeze")) return false;
-    moves = moves || (fix->time_integrate && !utils::strmatch(fix->style, "^move"));
-  }
-  return moves;
-}
-
 }    // namespace
 
 // At the start of a run and when grains have come: an inertia of spheres is refused, masses that
@@ -63,15 +51,13 @@ void FixLbIbb::check_discs()
 {
   atoms_checked = atom->natoms;
   if (domain->dimension != 2 || !atom->rmass_flag || !atom->radius_flag) return;
-  const auto &fixes = modify->get_fix_list();
-  for (auto *other : fixes) {
+  for (auto *other : modify->get_fix_list()) {
     const double inertia =
         std::max(Inertia<FixNVESphere>::of(other), Inertia<FixNHSphere>::of(other));
     if (inertia == 0.0 || inertia == 0.5) continue;
     tagint first = MAXTAGINT, grain;
     for (int i = 0; i < atom->nlocal; i++)
-      if ((atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit) &&
-          is_free(atom->mask[i], fixes))
+      if ((atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit) && is_driven(i))
         first = std::min(first, atom->tag[i]);
     MPI_Allreduce(&first, &grain, 1, MPI_LMP_TAGINT, MPI_MIN, world);
     if (grain < MAXTAGINT)
@@ -86,7 +72,6 @@ void FixLbIbb::check_discs()
 
 void FixLbIbb::check_disc_masses()
 {
-  const auto &fixes = modify->get_fix_list();
   // each as the largest of x and of -x: density as discs, as spheres, radius
   double range[6];
   std::fill_n(range, 6, -1e300);
@@ -98,7 +83,7 @@ void FixLbIbb::check_disc_masses()
   for (int i = 0; i < atom->nlocal; i++) {
     const double m = atom->rmass[i], r = atom->radius[i];
     if (!(atom->mask[i] & groupbit) || !(r > 0.0) || !(m > 0.0)) continue;
-    if (!is_free(atom->mask[i], fixes)) continue;
+    if (!is_driven(i)) continue;
     const double disc = m / (MathConst::MY_PI * r * r) / options.rho;
     const double each[3] = {disc, disc / r, r};
     for (int k = 0; k < 3; k++) {

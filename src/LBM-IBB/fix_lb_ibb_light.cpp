@@ -66,25 +66,32 @@ Matrix6 matrix(const double *lower)
 
 }    // namespace
 
-// grains whose motion follows from forces, one by one: these may yield
 void FixLbIbb::find_integrators()
 {
-  moving_bits = held_bits = 0;
+  moving_bits = held_bits = tied_bits = 0;
   for (auto *other : modify->get_fix_list()) {
-    const bool holds = utils::strmatch(other->style, "^freeze") ||
-        utils::strmatch(other->style, "^setforce") || utils::strmatch(other->style, "^move") ||
-        utils::strmatch(other->style, "^rigid") || utils::strmatch(other->style, "^poems");
-    if (holds)
+    const auto is = [&](const char *style) {
+      return utils::strmatch(other->style, style);
+    };
+    if (is("^freeze") || is("^move"))
       held_bits |= other->groupbit;
     else if (other->time_integrate)
       moving_bits |= other->groupbit;
+    if (is("^setforce") || is("^rigid") || is("^poems")) tied_bits |= other->groupbit;
   }
 }
 
+// does the motion of a grain follow from forces?
+bool FixLbIbb::is_driven(int i) const
+{
+  return (atom->mask[i] & moving_bits) && !(atom->mask[i] & held_bits);
+}
+
+// from its own alone: these may yield
 bool FixLbIbb::is_light(int i) const
 {
   const int mask = atom->mask[i];
-  if (!light || !(mask & groupbit) || !(mask & moving_bits) || (mask & held_bits)) return false;
+  if (!light || !(mask & groupbit) || !is_driven(i) || (mask & tied_bits)) return false;
   return options.coupling == LBOptions::IMPLICIT || below_limit(i);
 }
 
@@ -123,6 +130,7 @@ void FixLbIbb::yield(bool start, bool before)
   if (!light) return;
   const double dt = (start ? 0.5 : 1.0) * update->dt;
   const double inertia = domain->dimension == 2 ? 0.5 : 0.4;
+  if (yieldings.size() < std::size_t(atom->nlocal)) yieldings.resize(atom->nmax);
   for (int i = 0; i < atom->nlocal; i++) {
     double *row = light->astore[i];
     const double *held = row + (before ? +FORMER_ZETA : +ZETA);
@@ -138,15 +146,23 @@ void FixLbIbb::yield(bool start, bool before)
       per_mass[d] = dt / m;
       per_mass[3 + d] = dt / I;
     }
+    // force at the end of the step: f - zeta gain', the gain then being gain' = gain + M^-1 dt f
     const Matrix6 zeta = matrix(held);
-    const Matrix6 A = Matrix6::Identity() + zeta * per_mass.asDiagonal();
-    f = A.partialPivLu().solve(f - zeta * gain).eval();
+    Yielding once, &kept = start ? once : yieldings[i];
+    if (kept.grain != atom->tag[i] || kept.fluid_step != fluid_steps ||
+        kept.per_mass[0] != per_mass[0] || kept.per_mass[1] != per_mass[3]) {
+      kept = {atom->tag[i], fluid_steps, {per_mass[0], per_mass[3]}, {}};
+      const Matrix6 A = Matrix6::Identity() + per_mass.asDiagonal() * zeta;
+      Eigen::Map<Matrix6>(kept.inverse.data()) = A.inverse();
+    }
+    gain += per_mass.cwiseProduct(f);
+    gain = (Eigen::Map<const Matrix6>(kept.inverse.data()) * gain).eval();
+    f -= zeta * gain;
     for (int d = 0; d < 3; d++) {
       atom->f[i][d] = f[d];
       atom->torque[i][d] = f[3 + d];
     }
     if (start) continue;
-    gain += per_mass.cwiseProduct(f);
     for (int d = 0; d < 6; d++) row[SUM + d] += gain[d];
   }
 }

@@ -45,8 +45,8 @@ void FixLbIbb::init()
   check_scene();
   check_order_of_fixes();
   warned_of_masses = false;
-  check_discs();
   find_integrators();
+  check_discs();
   provide_light();
   find_variables();
   if (has_started()) reset_dt();

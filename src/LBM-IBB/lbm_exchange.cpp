@@ -24,12 +24,13 @@ namespace {
     }
   };
 
-  template <class L, class Rule, Motion motion, bool ledger, int W>
-  LBM_INLINE inline void bounce_back_pack(const Decoder &decode, const LinkSlots<L> &slot,
-                                          const Sphere &sphere, const Vec3 &centre,
-                                          const int (&e)[3], double weight, double refund,
-                                          const int32_t *n, const double *fractions,
-                                          const float *drho, Sums<Pack<W>, ledger> &sums)
+  template <class L, class Rule, Motion motion, bool ledger, bool yields, int W>
+  LBM_INLINE inline void
+  bounce_back_pack(const Decoder &decode, const LinkSlots<L> &slot, const Sphere &sphere,
+                   const Vec3 &centre, const int (&e)[3], double weight, double refund,
+                   const int32_t *n, const double *fractions, const float *drho,
+                   Sums<Pack<W>, ledger> &sums, ReachSums<Pack<W>, yields> &reach,
+                   [[maybe_unused]] const Turn &turn)
   {
     using V = Pack<W>;
     const V q = load<V>(fractions);
@@ -55,6 +56,7 @@ namespace {
       back = back + refund;
     }
     exchange<motion>(sums, e, weight, out, back, arm, wall);
+    if constexpr (yields) reach.add(c.c4, turn.component(0, arm), turn.component(1, arm));
     scatter<W>(slot.w, n, back);
   }
 
@@ -202,9 +204,10 @@ namespace {
 
 }    // namespace
 
-template <class L, class Rule, Motion motion, bool ledger>
+template <class L, class Rule, Motion motion, bool ledger, bool yields>
 void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-                 const float *drho, std::vector<Load> &loads)
+                 const float *drho, std::vector<Load> &loads,
+                 [[maybe_unused]] std::vector<Reach> &reaches)
 {
   constexpr int W = SIMD_WIDTH;
   const Decoder decode(at);
@@ -214,38 +217,46 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const Sphere &sphere = cover.spheres()[group.sphere];
     const Vec3 c = cover.centre(group.sphere);
     const double refund = L::w[i] * sphere.refund;
+    const Turn turn(L::e[i]);
     Sums<Pack<W>, ledger> sums;
-    const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to) LBM_INLINE {
-      bounce_back_pack<L, Rule, motion, ledger, W>(decode, slot, sphere, c, L::e[i], L::w[i],
-                                                   refund, nodes, q, drho, to);
+    ReachSums<Pack<W>, yields> reach;
+    const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to,
+                                 auto &reach) LBM_INLINE {
+      bounce_back_pack<L, Rule, motion, ledger, yields, W>(
+          decode, slot, sphere, c, L::e[i], L::w[i], refund, nodes, q, drho, to, reach, turn);
     };
     std::size_t k = group.begin;
-    for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums);
+    for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums, reach);
     if (k < group.end) {
       const Tail<W> tail(links.node, links.q, k, group.end);
       Sums<Pack<W>, ledger> with_copies;
-      bounce_pack(tail.node, tail.q, with_copies);
+      ReachSums<Pack<W>, yields> reach_of_copies;
+      bounce_pack(tail.node, tail.q, with_copies, reach_of_copies);
       sums.add_first(with_copies, int(group.end - k));
+      reach.add_first(reach_of_copies, int(group.end - k));
     }
     sums.links = double(group.end - group.begin);
     add<motion>(sums, L::e[i], L::w[i], loads[group.sphere]);
+    if constexpr (yields)
+      if (sphere.yields) reach.add_to(reaches[std::size_t(group.sphere) * L::Q + i], sums.links);
   }
   for (const GapGroup &group : links.gaps.groups)
     close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho, loads);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }
 
-#define LBM_INSTANTIATE_ONE(L, Rule, motion, ledger)                                              \
-  template void bounce_back<L, Rule, motion, ledger>(const Layout &, const Slots<L> &,            \
-                                                     const Cover &, const Links &, const float *, \
-                                                     std::vector<Load> &);
-#define LBM_INSTANTIATE_MOTION(L, Rule, motion) \
-  LBM_INSTANTIATE_ONE(L, Rule, motion, false)   \
-  LBM_INSTANTIATE_ONE(L, Rule, motion, true)
-#define LBM_INSTANTIATE_RULE(L, Rule)            \
-  LBM_INSTANTIATE_MOTION(L, Rule, Motion::REST)  \
-  LBM_INSTANTIATE_MOTION(L, Rule, Motion::SHIFT) \
-  LBM_INSTANTIATE_MOTION(L, Rule, Motion::TURN)
+#define LBM_INSTANTIATE_ONE(L, Rule, motion, ledger, yields)                         \
+  template void bounce_back<L, Rule, motion, ledger, yields>(                        \
+      const Layout &, const Slots<L> &, const Cover &, const Links &, const float *, \
+      std::vector<Load> &, std::vector<Reach> &);
+#define LBM_INSTANTIATE_MOTION(L, Rule, motion, yields) \
+  LBM_INSTANTIATE_ONE(L, Rule, motion, false, yields)   \
+  LBM_INSTANTIATE_ONE(L, Rule, motion, true, yields)
+#define LBM_INSTANTIATE_RULE(L, Rule)                   \
+  LBM_INSTANTIATE_MOTION(L, Rule, Motion::REST, false)  \
+  LBM_INSTANTIATE_MOTION(L, Rule, Motion::SHIFT, false) \
+  LBM_INSTANTIATE_MOTION(L, Rule, Motion::TURN, false)  \
+  LBM_INSTANTIATE_MOTION(L, Rule, Motion::TURN, true)
 #define LBM_INSTANTIATE(L)         \
   LBM_INSTANTIATE_RULE(L, Halfway) \
   LBM_INSTANTIATE_RULE(L, Bouzidi) \

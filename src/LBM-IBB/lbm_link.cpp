@@ -59,8 +59,9 @@ void Links::clear()
 void Links::append(const Links &other)
 {
   const auto join = [&](auto &list, const auto &more) {
-    list.resize(size);
-    list.insert(list.end(), more.begin(), more.begin() + std::ptrdiff_t(other.size));
+    if (list.size() < size + other.size + SIMD_WIDTH)
+      list.resize(2 * (size + other.size + SIMD_WIDTH));
+    std::copy_n(more.begin(), other.size, list.begin() + std::ptrdiff_t(size));
   };
   join(node, other.node);
   join(q, other.q);
@@ -75,7 +76,7 @@ void Links::append(const Links &other)
 void Links::trim()
 {
   auto fit = [this](auto &list) {
-    list.resize(size);
+    list.resize(size + SIMD_WIDTH);
     list.shrink_to_fit();
   };
   fit(q);

@@ -63,7 +63,7 @@ struct Links {
   std::vector<LinkGroup> groups;
   std::vector<int32_t> node;    // index of x_f
   std::vector<double> q;
-  std::size_t size = 0;    // entries in use of the arrays above
+  std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
   Gaps gaps;
   std::vector<uint32_t> pockets;    // fluid nodes, all neighbours but one covered or behind walls
   std::vector<Hidden> hidden;

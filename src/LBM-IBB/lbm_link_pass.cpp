@@ -6,6 +6,7 @@
 #include "lbm_exchange.h"
 #include "lbm_refill.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace lbm {
@@ -26,6 +27,12 @@ void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const flo
   loads_ = &loads;
   moved_ = moved;
   motion_ = motion;
+  const auto &spheres = cover.spheres();
+  any_yields_ = std::any_of(spheres.begin(), spheres.end(), [](const Sphere &s) {
+    return s.yields;
+  });
+  responses_.clear();
+  reaches_.assign(any_yields_ ? L::Q * spheres.size() : 0, {});
   if (moved_) kept_ = false;
   if (kept_) return;
   lists_.resize(moved_ ? 1 : tiles_.count() + 1);
@@ -76,12 +83,15 @@ template <class L> void LinkPass<L>::outermost(const Slots<L> &f)
     bounce_kept(tiles_.count(), f);
     kept_ = true;
   }
+  for (std::size_t s = 0; any_yields_ && s < cover_->spheres().size() && !cover_->is_obstacle(s);
+       s++)
+    responses_.push_back(response<L>(&reaches_[L::Q * s]));
 }
 
 template <class L> void LinkPass<L>::bounce_kept(std::size_t k, const Slots<L> &f)
 {
   if (!kept_) lists_[k].trim();
-  bounce(lists_[k], f);
+  bounce(lists_[k], any_yields_, f);
 }
 
 // links of one sphere; if it moves they are used at once
@@ -93,8 +103,9 @@ void LinkPass<L>::find(std::size_t s, const Region &region, Links &list, const S
   links_ += list.size - links + 2 * (list.gaps.size() - gaps);
   gaps_ += list.gaps.size() - gaps;
   if (!moved_) return;
-  bounce(list, f);
-  if (cover_->spheres()[s].yields) yielding_.append(list);
+  const bool yields = cover_->spheres()[s].yields;
+  bounce(list, yields, f);
+  if (yields) yielding_.append(list);
   list.clear();
 }
 
@@ -112,35 +123,36 @@ template <class L> template <class F> void LinkPass<L>::with_rule(F &&f) const
   }
 }
 
-template <class L> void LinkPass<L>::bounce(const Links &links, const Slots<L> &f)
+template <class L> void LinkPass<L>::bounce(const Links &links, bool yields, const Slots<L> &f)
 {
   with_rule([&](auto rule) {
-    bounce_with<decltype(rule)>(links, f);
+    bounce_with<decltype(rule)>(links, yields, f);
   });
 }
 
 template <class L>
 template <class Rule>
-void LinkPass<L>::bounce_with(const Links &links, const Slots<L> &f)
+void LinkPass<L>::bounce_with(const Links &links, bool yields, const Slots<L> &f)
 {
+  if (yields) return bounce_in<Rule, Motion::TURN, true>(links, f);
   switch (motion_) {
     case Motion::REST:
-      return bounce_in<Rule, Motion::REST>(links, f);
+      return bounce_in<Rule, Motion::REST, false>(links, f);
     case Motion::SHIFT:
-      return bounce_in<Rule, Motion::SHIFT>(links, f);
+      return bounce_in<Rule, Motion::SHIFT, false>(links, f);
     case Motion::TURN:
-      return bounce_in<Rule, Motion::TURN>(links, f);
+      return bounce_in<Rule, Motion::TURN, false>(links, f);
   }
 }
 
 template <class L>
-template <class Rule, Motion motion>
+template <class Rule, Motion motion, bool yields>
 void LinkPass<L>::bounce_in(const Links &links, const Slots<L> &f)
 {
   if (ledger_)
-    bounce_back<L, Rule, motion, true>(at_, f, *cover_, links, drho_, *loads_);
+    bounce_back<L, Rule, motion, true, yields>(at_, f, *cover_, links, drho_, *loads_, reaches_);
   else
-    bounce_back<L, Rule, motion, false>(at_, f, *cover_, links, drho_, *loads_);
+    bounce_back<L, Rule, motion, false, yields>(at_, f, *cover_, links, drho_, *loads_, reaches_);
 }
 
 template <class L> double LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 &force) const
@@ -151,14 +163,24 @@ template <class L> double LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec
   return gain;
 }
 
-template <class L> template <class F> void LinkPass<L>::for_each_yielding(F &&f) const
+template <class L>
+Taken LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) const
 {
+  Taken sum;
+  if (reaches_.empty()) return sum;
   with_rule([&](auto rule) {
+    using Rule = decltype(rule);
     if (moved_)
-      f(rule, yielding_);
+      lbm::correct<L, Rule>(at_, f, *cover_, yielding_, gains);
     else
-      for (const Links &list : lists_) f(rule, list);
+      for (const Links &list : lists_) lbm::correct<L, Rule>(at_, f, *cover_, list, gains);
   });
+  for (std::size_t s = 0; s < gains.size(); s++) {
+    const Taken more = taken<L>(&reaches_[L::Q * s], gains[s]);
+    sum.displaced += more.displaced;
+    sum.swallowed += more.swallowed;
+  }
+  return sum;
 }
 
 template <class L> void LinkPass<L>::recall(const Cover &cover)
@@ -168,6 +190,7 @@ template <class L> void LinkPass<L>::recall(const Cover &cover)
   kept_ = false;
   lists_.resize(1);
   yielding_.clear();
+  reaches_.assign(L::Q * cover.spheres().size(), {});
   for (std::size_t s = 0; s < cover.spheres().size(); s++) {
     if (!cover.spheres()[s].yields) continue;
     find_links<L>(at_, cover, s, at_.all(), lists_[0]);
@@ -175,25 +198,9 @@ template <class L> void LinkPass<L>::recall(const Cover &cover)
     lists_[0].clear();
   }
   lists_[0].pockets.clear();
-}
-
-template <class L> void LinkPass<L>::add_responses(std::vector<Response> &responses) const
-{
-  for_each_yielding([&](auto rule, const Links &links) {
-    lbm::add_responses<L, decltype(rule)>(at_, *cover_, links, responses);
+  with_rule([&](auto rule) {
+    lbm::add_reaches<L, decltype(rule)>(at_, cover, yielding_, reaches_);
   });
-}
-
-template <class L>
-Taken LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) const
-{
-  Taken taken;
-  for_each_yielding([&](auto rule, const Links &links) {
-    const Taken more = lbm::correct<L, decltype(rule)>(at_, f, *cover_, links, gains);
-    taken.displaced += more.displaced;
-    taken.swallowed += more.swallowed;
-  });
-  return taken;
 }
 
 template <class L> double LinkPass<L>::bytes() const

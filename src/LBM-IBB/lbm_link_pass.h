@@ -41,10 +41,11 @@ template <class L> class LinkPass {
   // last of all, see fill_pockets(); returns the mass gained
   double fill_pockets(const Slots<L> &f, const Vec3 &force) const;
 
-  // of the links of the last step, see lbm_yield.h; recall() finds those of a step made elsewhere
-  void recall(const Cover &cover);
-  void add_responses(std::vector<Response> &responses) const;
+  // of spheres that yield in the last step, see lbm_yield.h, the former of all spheres if any does;
+  // recall() finds the links of a step made elsewhere
+  const std::vector<Response> &responses() const { return responses_; }
   Taken correct(const Slots<L> &f, const std::vector<Gain> &gains) const;
+  void recall(const Cover &cover);
 
   double links() const { return double(links_); }    // in the last step, gaps included
   double gaps() const { return double(gaps_); }
@@ -59,11 +60,13 @@ template <class L> class LinkPass {
   const Cover *cover_ = nullptr;
   const float *drho_ = nullptr;
   std::vector<Load> *loads_ = nullptr;
-  bool moved_ = false, kept_ = false;
+  bool moved_ = false, kept_ = false, any_yields_ = false;
   Motion motion_ = Motion::REST;
   // of spheres that stay, by tile, the shell last; or one, of a moving sphere
   std::vector<Links> lists_;
-  Links yielding_;    // of moving spheres that yield
+  Links yielding_;                // of moving spheres that yield
+  std::vector<Reach> reaches_;    // by sphere and direction
+  std::vector<Response> responses_;
   // spheres that may have links behind each tile k: near_[first_near_[k]] ...
   std::vector<uint32_t> first_near_, near_;
   std::size_t links_ = 0, gaps_ = 0;
@@ -72,11 +75,11 @@ template <class L> class LinkPass {
   void find(std::size_t s, const Region &region, Links &list, const Slots<L> &f);
   Links &list(std::size_t k) { return moved_ ? lists_[0] : lists_[k]; }
   void bounce_kept(std::size_t k, const Slots<L> &f);
-  void bounce(const Links &links, const Slots<L> &f);
-  template <class Rule> void bounce_with(const Links &links, const Slots<L> &f);
-  template <class Rule, Motion motion> void bounce_in(const Links &links, const Slots<L> &f);
+  void bounce(const Links &links, bool yields, const Slots<L> &f);
+  template <class Rule> void bounce_with(const Links &links, bool yields, const Slots<L> &f);
+  template <class Rule, Motion motion, bool yields>
+  void bounce_in(const Links &links, const Slots<L> &f);
   template <class F> void with_rule(F &&f) const;
-  template <class F> void for_each_yielding(F &&f) const;
 };
 
 }    // namespace lbm

@@ -40,17 +40,6 @@ template <class V, bool ledger> struct Sums : Swallowed<V, ledger> {
   }
 };
 
-inline double total(const double &v)
-{
-  return v;
-}
-template <class V> double total(const V &v)
-{
-  double s = 0.0;
-  for (unsigned k = 0; k < sizeof(V) / sizeof(double); k++) s += v[k];
-  return s;
-}
-
 template <Motion motion, class V, bool ledger>
 void add(const Sums<V, ledger> &sums, const int (&e)[3], double w, Load &load)
 {

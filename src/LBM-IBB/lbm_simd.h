@@ -128,6 +128,19 @@ template <int W, class T> LBM_INLINE inline void scatter(T *p, const int32_t *n,
     for (int k = 0; k < W; k++) p[n[k]] = T(v[k]);
 }
 
+// sum of the numbers of a pack: halves are added until one is left
+inline double total(const double &v)
+{
+  return v;
+}
+template <class V> LBM_INLINE inline double total(const V &v)
+{
+  constexpr int W = sizeof(V) / sizeof(double);
+  Pack<W / 2> half[2];
+  std::memcpy(half, &v, sizeof(V));
+  return total(half[0] + half[1]);
+}
+
 template <class V> LBM_INLINE inline V root(const V &v)
 {
   if constexpr (std::is_arithmetic_v<V>) {

@@ -19,7 +19,7 @@ namespace {
   {
     Motion most = Motion::REST;
     for (const Sphere &s : spheres) {
-      if (s.spin != Vec3{}) return Motion::TURN;
+      if (s.spin != Vec3{} || s.yields) return Motion::TURN;
       if (s.velocity != Vec3{}) most = Motion::SHIFT;
     }
     return most;
@@ -121,10 +121,13 @@ namespace {
       }
       open_faces();
       if (settings.ledger) book_links(loads);
-      find_responses();
       if (solids) take_from_obstacles(loads);
     }
-    const std::vector<Response> &responses() const override { return responses_; }
+    const std::vector<Response> &responses() const override
+    {
+      static const std::vector<Response> none;
+      return spheres_here() ? pass.responses() : none;
+    }
     const std::vector<Sphere> &spheres() const override
     {
       static const std::vector<Sphere> none;
@@ -273,7 +276,6 @@ namespace {
     std::unique_ptr<Cover> now, before;
     bool moved = false, changed_since = true;    // since the last step; since inspect()
     Motion motion = Motion::REST;
-    std::vector<Response> responses_;
     std::vector<float> drho;    // density excess by node, for the wall term of moving surfaces
     Counts counts;              // of links and gaps those of a step made elsewhere
     Ledger book;                // of this rank, what is not in counts yet
@@ -328,7 +330,6 @@ namespace {
         states[k].steps += 1.0;
       }
       loads.resize(grains);
-      if (!responses_.empty()) responses_.resize(grains);
     }
 
     const int32_t *owner() const { return now ? now->owner() : nullptr; }
@@ -394,19 +395,6 @@ namespace {
         collide_and_stream(pass.tiles().swept(k));
         pass.inner(k, block.slots(block.step() + 1));
       }
-    }
-
-    void find_responses()
-    {
-      responses_.clear();
-      if (!spheres_here()) return;
-      const auto &list = now->spheres();
-      if (std::none_of(list.begin(), list.end(), [](const Sphere &s) {
-            return s.yields;
-          }))
-        return;
-      responses_.resize(list.size());
-      pass.add_responses(responses_);
     }
 
     void open_faces()

@@ -4,130 +4,142 @@
 
 #include "lbm_bounce_back.h"
 
+#include <algorithm>
+
 namespace lbm {
-namespace {
 
-  // calls f(group, first link, last link + 1) for what belongs to spheres that yield
-  template <class F> void for_each_group(const Cover &cover, const Links &links, F &&f)
-  {
-    for (const LinkGroup &group : links.groups)
-      if (cover.spheres()[group.sphere].yields) f(group);
-  }
-
-  constexpr int W = SIMD_WIDTH;
-  using V = Pack<W>;
-
-  // a, and arm x e, of a pack of links
-  struct Reach {
-    V a, turn[3];
-    template <class Rule>
-    LBM_INLINE Reach(Rule, const Decoder &decode, const Vec3 &centre, const int (&e)[3], double w,
-                     const int32_t *node, const double *fraction)
-    {
-      const V q = load<V>(fraction);
-      V arm[3];
-      decode(load<PackInt<W>>(node), arm);
-      for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
-      a = 3.0 * w * Rule::template at<V>(q).c4;
-      for (int d = 0; d < 3; d++) {
-        const int p = (d + 1) % 3, s = (d + 2) % 3;
-        turn[d] = double(e[s]) * arm[p] - double(e[p]) * arm[s];
-      }
-    }
-  };
-
-  // Calls f(nodes, fractions, n) for packs of links, of which n count: whatever the packs, the
-  // arithmetic of a link is the same.
-  template <class F> void in_packs(const Links &links, const LinkGroup &group, F &&f)
-  {
-    std::size_t k = group.begin;
-    for (; k + W <= group.end; k += W) f(&links.node[k], &links.q[k], W);
-    if (k == group.end) return;
-    const Tail<W> tail(links.node, links.q, k, group.end);
-    f(tail.node, tail.q, int(group.end - k));
-  }
-
-  double sum(const V &v, int n)
-  {
-    double s = 0.0;
-    for (int k = 0; k < n; k++) s += v[k];
-    return s;
-  }
-
-}    // namespace
-
-// With e fixed in a group, zeta needs the sums of a, of a turn and of a turn turn^T alone.
-template <class L, class Rule>
-void add_responses(const Layout &at, const Cover &cover, const Links &links,
-                   std::vector<Response> &responses)
+// all of arm x e
+Vec3 Turn::complete(double s, double t) const
 {
-  const Decoder decode(at);
-  for_each_group(cover, links, [&](const LinkGroup &group) {
-    const int(&e)[3] = L::e[group.direction];
-    const Vec3 centre = cover.centre(group.sphere);
-    double a = 0.0, b = 0.0, turn[3] = {0, 0, 0}, b_turn[3] = {0, 0, 0}, square[6] = {0};
-    in_packs(links, group, [&](const int32_t *node, const double *q, int count) {
-      const Reach reach(Rule{}, decode, centre, e, L::w[group.direction], node, q);
-      const V stays = reach.a - 6.0 * L::w[group.direction];
-      a += sum(reach.a, count);
-      b += sum(stays, count);
-      for (int d = 0, n = 0; d < 3; d++) {
-        turn[d] += sum(reach.a * reach.turn[d], count);
-        b_turn[d] += sum(stays * reach.turn[d], count);
-        for (int c = 0; c <= d; c++)
-          square[n++] += sum(reach.a * reach.turn[d] * reach.turn[c], count);
-      }
-    });
-    Response &r = responses[group.sphere];
-    int n = 0;
-    for (int d = 0; d < 3; d++)
-      for (int c = 0; c <= d; c++) r.zeta[n++] += a * e[d] * e[c];
-    for (int d = 0, m = 0; d < 3; d++) {
-      for (int c = 0; c < 3; c++) r.zeta[n++] += turn[d] * e[c];
-      for (int c = 0; c <= d; c++) r.zeta[n++] += square[m++];
-    }
-    for (int d = 0; d < 3; d++) {
-      r.swallowed[d] += b * e[d];
-      r.swallowed[3 + d] += b_turn[d];
-    }
-  });
+  Vec3 v;
+  v[first] = s;
+  v[second] = t;
+  v[third] = with[0] * s + with[1] * t;
+  return v;
 }
 
-template <class L, class Rule>
-Taken correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-              const std::vector<Gain> &gains)
+template <class L> Response response(const Reach *reaches)
 {
-  const Decoder decode(at);
+  Response response;
+  for (int i = 1; i < L::Q; i++) {
+    const auto &[links, sums] = reaches[i];
+    if (links == 0.0) continue;
+    const int(&e)[3] = L::e[i];
+    const Turn two(e);
+    const Vec3 plain = two.complete(sums[S], sums[T]), turn = two.complete(sums[CS], sums[CT]);
+    Vec3 square[3];    // of (arm x e) (arm x e)^T
+    square[two.first] = two.complete(sums[CSS], sums[CST]);
+    square[two.second] = two.complete(sums[CST], sums[CTT]);
+    for (int d = 0; d < 3; d++)
+      square[two.third][d] =
+          two.with[0] * square[two.first][d] + two.with[1] * square[two.second][d];
+
+    const double three_w = 3.0 * L::w[i];
+    int n = 0;
+    for (int d = 0; d < 3; d++)
+      for (int c = 0; c <= d; c++) response.zeta[n++] += three_w * sums[C] * e[d] * e[c];
+    for (int d = 0; d < 3; d++) {
+      for (int c = 0; c < 3; c++) response.zeta[n++] += three_w * turn[d] * e[c];
+      for (int c = 0; c <= d; c++) response.zeta[n++] += three_w * square[d][c];
+      response.swallowed[d] += three_w * (sums[C] - 2.0 * links) * e[d];
+      response.swallowed[3 + d] += three_w * (turn[d] - 2.0 * plain[d]);
+    }
+  }
+  return response;
+}
+
+// the mass less per link is a e.du, of which 6 w e.du is what fluid at rest with the surface leaves
+template <class L> Taken taken(const Reach *reaches, const Gain &gain)
+{
   Taken taken;
-  for_each_group(cover, links, [&](const LinkGroup &group) {
-    const int i = group.direction;
-    const Gain &gain = gains[group.sphere];
-    const Vec3 centre = cover.centre(group.sphere);
-    typename L::Real *back = f[opposite<L>(i)];
-    in_packs(links, group, [&](const int32_t *node, const double *q, int count) {
-      const Reach reach(Rule{}, decode, centre, L::e[i], L::w[i], node, q);
-      V du = V{};
-      for (int d = 0; d < 3; d++)
-        du = du + L::e[i][d] * gain.velocity[d] + reach.turn[d] * gain.spin[d];
-      const V less = reach.a * du;
-      for (int l = 0; l < count; l++) back[node[l]] -= less[l];
-      const double pushed = 6.0 * L::w[i] * sum(du, count);
-      taken.displaced -= pushed;
-      taken.swallowed += sum(less, count) - pushed;
-    });
-  });
+  for (int i = 1; i < L::Q; i++) {
+    const auto &[links, sums] = reaches[i];
+    const Turn two(L::e[i]);
+    const double along = dot(L::e[i], gain.velocity), three_w = 3.0 * L::w[i];
+    const double pushed = 2.0 * (links * along + dot(two.complete(sums[S], sums[T]), gain.spin));
+    const double less = sums[C] * along + dot(two.complete(sums[CS], sums[CT]), gain.spin);
+    taken.displaced -= three_w * pushed;
+    taken.swallowed += three_w * (less - pushed);
+  }
   return taken;
 }
 
-#define LBM_INSTANTIATE_RULE(L, Rule)                                                             \
-  template void add_responses<L, Rule>(const Layout &, const Cover &, const Links &,              \
-                                       std::vector<Response> &);                                  \
-  template Taken correct<L, Rule>(const Layout &, const Slots<L> &, const Cover &, const Links &, \
-                                  const std::vector<Gain> &);
-#define LBM_INSTANTIATE(L)         \
-  LBM_INSTANTIATE_RULE(L, Halfway) \
-  LBM_INSTANTIATE_RULE(L, Bouzidi) \
-  LBM_INSTANTIATE_RULE(L, Cli)     \
+// in packs as bounce_back() makes them, so that a run that goes on does so to the bit
+template <class L, class Rule>
+void add_reaches(const Layout &at, const Cover &cover, const Links &links,
+                 std::vector<Reach> &reaches)
+{
+  constexpr int W = SIMD_WIDTH;
+  using V = Pack<W>;
+  const Decoder decode(at);
+  for (const LinkGroup &group : links.groups) {
+    const int(&e)[3] = L::e[group.direction];
+    const Vec3 centre = cover.centre(group.sphere);
+    const Turn turn(e);
+    ReachSums<V, true> sums;
+    const auto add_pack = [&](const int32_t *node, const double *fractions, auto &to) LBM_INLINE {
+      const V q = load<V>(fractions);
+      V arm[3];
+      decode(load<PackInt<W>>(node), arm);
+      for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
+      to.add(Rule::template at<V>(q).c4, turn.component(0, arm), turn.component(1, arm));
+    };
+    std::size_t k = group.begin;
+    for (; k + W <= group.end; k += W) add_pack(&links.node[k], &links.q[k], sums);
+    if (k < group.end) {
+      const Tail<W> tail(links.node, links.q, k, group.end);
+      ReachSums<V, true> with_copies;
+      add_pack(tail.node, tail.q, with_copies);
+      sums.add_first(with_copies, int(group.end - k));
+    }
+    sums.add_to(reaches[std::size_t(group.sphere) * L::Q + group.direction],
+                double(group.end - group.begin));
+  }
+}
+
+template <class L, class Rule>
+void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
+             const std::vector<Gain> &gains)
+{
+  constexpr int W = SIMD_WIDTH, MOST = 32 * W;
+  using V = Pack<W>;
+  const Decoder decode(at);
+  double less[MOST];
+  for (const LinkGroup &group : links.groups) {
+    if (!cover.spheres()[group.sphere].yields) continue;
+    const Gain &gain = gains[group.sphere];
+    const int i = group.direction;
+    typename L::Real *back = f[opposite<L>(i)];
+    // e.(du + dspin x arm) = e.du + (e x dspin).arm, to which the part of the arm along e adds none
+    const Vec3 turn =
+        cross({double(L::e[i][0]), double(L::e[i][1]), double(L::e[i][2])}, gain.spin);
+    const double along = dot(L::e[i], gain.velocity) - dot(turn, cover.centre(group.sphere));
+    for (std::size_t begin = group.begin; begin < group.end; begin += MOST) {
+      const int n = int(std::min<std::size_t>(MOST, group.end - begin));
+      const int32_t *node = &links.node[begin];
+      for (int k = 0; k < n; k += W) {    // the last pack may end with links of the next group
+        V x[3];
+        decode(load<PackInt<W>>(node + k), x);
+        const V c4 = Rule::template at<V>(load<V>(&links.q[begin + k])).c4;
+        store(less + k,
+              3.0 * L::w[i] * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
+      }
+      for (int k = 0; k < n; k++) back[node[k]] -= less[k];
+    }
+  }
+}
+
+#define LBM_INSTANTIATE_RULE(L, Rule)                                                            \
+  template void add_reaches<L, Rule>(const Layout &, const Cover &, const Links &,               \
+                                     std::vector<Reach> &);                                      \
+  template void correct<L, Rule>(const Layout &, const Slots<L> &, const Cover &, const Links &, \
+                                 const std::vector<Gain> &);
+#define LBM_INSTANTIATE(L)                              \
+  template Response response<L>(const Reach *);         \
+  template Taken taken<L>(const Reach *, const Gain &); \
+  LBM_INSTANTIATE_RULE(L, Halfway)                      \
+  LBM_INSTANTIATE_RULE(L, Bouzidi)                      \
+  LBM_INSTANTIATE_RULE(L, Cli)                          \
   LBM_INSTANTIATE_RULE(L, Zhao)
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE

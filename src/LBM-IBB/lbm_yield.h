@@ -34,14 +34,76 @@ struct Taken {
   double displaced = 0.0, swallowed = 0.0;
 };
 
-// the links of spheres that yield, of a list that may have others as well
+// Two of the three components of arm x e, as products of the arm: the third, along an axis of e,
+// follows from them as (arm x e).e = 0.
+struct Turn {
+  int first, second, third;
+  double of[2][3], with[2];    // the third one is with[0] s + with[1] t
+  explicit Turn(const int (&e)[3])
+  {
+    third = e[0] ? 0 : e[1] ? 1 : 2;
+    first = (third + 1) % 3;
+    second = (third + 2) % 3;
+    const int d[2] = {first, second};
+    for (int k = 0; k < 2; k++) {
+      of[k][d[k]] = 0.0;
+      of[k][(d[k] + 1) % 3] = e[(d[k] + 2) % 3];
+      of[k][(d[k] + 2) % 3] = -e[(d[k] + 1) % 3];
+      with[k] = -e[d[k]] * e[third];
+    }
+  }
+  template <class V> LBM_INLINE V component(int k, const V (&arm)[3]) const
+  {
+    return of[k][0] * arm[0] + of[k][1] * arm[1] + of[k][2] * arm[2];
+  }
+  Vec3 complete(double s, double t) const;
+};
+
+// Of the links of one direction of one sphere the response needs these sums alone, with c = c4 and
+// s, t the two components of Turn
+enum { C, S, T, CS, CT, CSS, CST, CTT, REACH };
+struct Reach {
+  double links = 0.0, sums[REACH] = {};
+};
+// in packs, or nothing for spheres that do not yield
+template <class V, bool yields> struct ReachSums {
+  V sums[REACH] = {};
+  LBM_INLINE void add(const V &c, const V &s, const V &t)
+  {
+    const V cs = c * s, ct = c * t;
+    const V more[REACH] = {c, s, t, cs, ct, cs * s, cs * t, ct * t};
+    for (int n = 0; n < REACH; n++) sums[n] += more[n];
+  }
+  // of the first n numbers of each pack
+  void add_first(const ReachSums &other, int n)
+  {
+    V keep{};
+    for (int k = 0; k < n; k++) keep[k] = 1.0;
+    for (int m = 0; m < REACH; m++) sums[m] += keep * other.sums[m];
+  }
+  void add_to(Reach &reach, double links) const
+  {
+    reach.links += links;
+    for (int n = 0; n < REACH; n++) reach.sums[n] += total(sums[n]);
+  }
+};
+template <class V> struct ReachSums<V, false> {
+  void add_first(const ReachSums &, int) {}
+};
+
+// of a sphere, from the reaches of its directions
+template <class L> Response response(const Reach *reaches);
+template <class L> Taken taken(const Reach *reaches, const Gain &gain);
+
+// the reaches of links that bounced back elsewhere, by sphere and direction
 template <class L, class Rule>
-void add_responses(const Layout &at, const Cover &cover, const Links &links,
-                   std::vector<Response> &responses);
-// in the slots that the links wrote; gains by sphere
+void add_reaches(const Layout &at, const Cover &cover, const Links &links,
+                 std::vector<Reach> &reaches);
+// in the slots that the links wrote; gains by sphere. Those of a list that belong to spheres that
+// yield: it may have others as well.
 template <class L, class Rule>
-Taken correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-              const std::vector<Gain> &gains);
+void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
+             const std::vector<Gain> &gains);
 
 }    // namespace lbm
 #endif

@@ -74,6 +74,23 @@ TEST_F(Light, RisesAtTheSpeedOfItsDrag)
   }
 }
 
+// Gravity and buoyancy cancel to a thousandth: what is left moves the grain as a push does.
+TEST_F(Light, SettlesWhenBarelyHeavier)
+{
+  for (bool flat : {false, true}) {
+    const double u = terminal(flat, 1.5, 1, "coupling explicit");
+    for (const std::string coupling : {"auto", "implicit"}) {
+      start();
+      const std::string scene = in_duct(flat);
+      const std::string g = num(newton() / (0.001 * RHO * grain_volume(R)));
+      script(scene + ball_of(1.001, {9.1, 4.3, flat ? 0.0 : 8.8}) + integrator() +
+             "\nfix g all gravity " + g + " vector 0 1 0" +
+             fluid("buoyancy 0 " + g + " 0 coupling " + coupling + duct()) + run(long_enough()));
+      EXPECT_NEAR(speed(), u, 0.01 * u) << coupling;
+    }
+  }
+}
+
 // no step differs from the one before by more than grid and cover make it
 TEST_F(Light, DoesNotRing)
 {
