@@ -187,9 +187,10 @@ template <class Rule, bool moving> void link_pass(benchmark::State &state)
     find_links<D3Q19>(at, cover, s, all, links);
   const std::vector<float> drho(at.size);
   std::vector<Load> loads(cover.spheres().size());
+  std::vector<Reach> none;
   for (auto _ : state)
-    bounce_back<D3Q19, Rule, moving ? Motion::TURN : Motion::REST, true>(at, block.slots(), cover,
-                                                                         links, drho.data(), loads);
+    bounce_back<D3Q19, Rule, moving ? Motion::TURN : Motion::REST, true, false>(
+        at, block.slots(), cover, links, drho.data(), loads, none);
   state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size()),
                                                benchmark::Counter::kIsIterationInvariantRate);
 }

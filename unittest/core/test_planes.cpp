@@ -193,7 +193,9 @@ template <class L, class Rule> class Channel {
     halo.exchange(block);
     block.advance();
     loads.assign(2, {});
-    bounce_back<L, Rule, Motion::TURN, true>(at, block.slots(), cover, links, drho.data(), loads);
+    std::vector<Reach> none;
+    bounce_back<L, Rule, Motion::TURN, true, false>(at, block.slots(), cover, links, drho.data(),
+                                                    loads, none);
   }
 };
 
