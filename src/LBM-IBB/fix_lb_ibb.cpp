@@ -277,7 +277,7 @@ void FixLbIbb::reset_grid()
   create_fluid();
   carried.into(*fluid);
   fluid->resume_obstacles(obstacles);
-  fluid->inspect();
+  fluid->settle();
   drive_fluid(drive);
 }
 

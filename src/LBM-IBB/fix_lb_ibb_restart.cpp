@@ -61,7 +61,7 @@ void FixLbIbb::write_restart(FILE *fp)
   auto s = std::make_shared<Saved>();
   if (fluid && has_started()) {
     find_fastest();
-    fluid->inspect();    // as a run that goes on from here will
+    fluid->settle();    // as a run that goes on from here will
     s->has_fluid = 1;
     s->every = nevery;
     s->dx = options.dx;
@@ -217,7 +217,7 @@ void FixLbIbb::read_fluid()
   name = fluid_file(name);
   const std::string why = lbm::read_state(name, *fluid, to_go_on->fluid, world);
   if (!why.empty()) error->all(FLERR, "Fix lb/ibb: cannot go on from {}: {}", name, why);
-  fluid->inspect();
+  fluid->settle();
   drive_fluid(drive);
   if (comm->me == 0)
     utils::logmesg(lmp, "Fix lb/ibb: goes on from {}, step {}, fluid step {}\n", name,

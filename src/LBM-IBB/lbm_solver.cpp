@@ -230,19 +230,17 @@ namespace {
     const MeanDensity &mean_density() const override { return counts.mean; }
     void inspect() override
     {
-      double any[2] = {spheres_here() ? 1.0 : 0.0, changed_since ? 1.0 : 0.0};
-      neighbours.max(any, 2);
-      changed_since = false;
-      if (any[0] == 0.0) {
-        enclosed.forget();
-      } else if (any[1] > 0.0) {
-        provide(now);
-        enclosed.find(*now, lattice.n, neighbours);
-      }
+      find_enclosed();
       if (settings.single && counts.mean.known > 0.0) {
         const Survey s = whole();
         counts.mean.start = s.mass - s.fluid_nodes - ledger().total_excess();
       }
+    }
+    void settle() override
+    {
+      counts.ledger = ledger();
+      book = {};
+      find_enclosed();
     }
     double enclosed_sets() const override { return enclosed.sets(); }
     double enclosed_nodes() const override { return enclosed.nodes(); }
@@ -416,6 +414,19 @@ namespace {
       }
     }
 
+    void find_enclosed()
+    {
+      double any[2] = {spheres_here() ? 1.0 : 0.0, changed_since ? 1.0 : 0.0};
+      neighbours.max(any, 2);
+      changed_since = false;
+      if (any[0] == 0.0) {
+        enclosed.forget();
+      } else if (any[1] > 0.0) {
+        provide(now);
+        enclosed.find(*now, lattice.n, neighbours);
+      }
+    }
+
     // of this rank, of spheres and obstacles; a look at all nodes
     std::vector<Index> covered_nodes() const
     {
@@ -437,6 +448,11 @@ namespace {
         lost = find_covered(at, before.get(), *now);
         if (before) nodes = find_uncovered(at, *before, *now);
         covered += Index(lost.size()) - Index(nodes.size());
+        // sums must not hang on the order of the spheres, which a restart may change
+        std::sort(lost.begin(), lost.end());
+        std::sort(nodes.begin(), nodes.end(), [](const Uncovered &a, const Uncovered &b) {
+          return a.n < b.n;
+        });
       }
       bool any = !nodes.empty(), any_moved = moved && before != nullptr;
       bool any_motion = any_moved || motion != Motion::REST;

@@ -102,6 +102,8 @@ class Fluid {
   // Now and then: finds fluid that is enclosed, whose density is kept from then on, see
   // lbm_enclosed.h; in single precision the mean density is measured anew. Collective.
   virtual void inspect() = 0;
+  // Before its state is given away: as the fluid that goes on from it will be. Collective.
+  virtual void settle() = 0;
   // of all ranks, when last inspected
   virtual double enclosed_sets() const = 0;
   virtual double enclosed_nodes() const = 0;

@@ -22,6 +22,8 @@
 
 #include "update.h"
 
+#include "lbm_state_file.h"
+
 #include <cstring>
 #include <filesystem>
 
@@ -195,11 +197,12 @@ TEST_F(Restarts, OtherFilesAreRefused)
   EXPECT_IN(error_from("a"), text + "its checksum is not that which the restart file names");
   write("a.lbibb", bytes("a"));
   EXPECT_IN(error_from("a"), text + "it is no file of a fluid");
-  for (const std::size_t length : {std::size_t(0), std::size_t(7), std::size_t(95)}) {
+  constexpr std::size_t HEAD = sizeof(lbm::StateHeader);
+  for (const std::size_t length : {std::size_t(0), std::size_t(7), HEAD - 1}) {
     write("a.lbibb", a.substr(0, length));
     EXPECT_IN(error_from("a"), text + "it is truncated: " + std::to_string(length) + " bytes");
   }
-  for (const std::size_t length : {std::size_t(96), a.size() / 2, a.size() - 1}) {
+  for (const std::size_t length : {HEAD, a.size() / 2, a.size() - 1}) {
     write("a.lbibb", a.substr(0, length));
     EXPECT_IN(error_from("a"),
               text + "it is truncated: " + std::to_string(length) + " bytes instead of " +
@@ -222,9 +225,10 @@ TEST_F(Restarts, DamagedFilesAreRefused)
     write("a.lbibb", other);
     return error_from("a");
   };
-  for (std::size_t place = 0; place < 200; place++)
+  constexpr std::size_t HEAD = sizeof(lbm::StateHeader);
+  for (std::size_t place = 0; place < HEAD + 100; place++)
     EXPECT_IN(damaged(place, int(place % 8)), "cannot go on from a.lbibb: it");
-  for (std::size_t place = 200; place < a.size(); place += 997)
+  for (std::size_t place = HEAD + 100; place < a.size(); place += 997)
     EXPECT_IN(damaged(place, int(place % 8)), "it is damaged: its checksum is wrong");
 }
 
