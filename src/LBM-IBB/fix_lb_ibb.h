@@ -90,6 +90,7 @@ class FixLbIbb : public Fix {
   bool has_buoyancy() const { return options.has_buoyancy; }
   const lbm::Vec3 &gravity() const { return drive.buoyancy; }    // of the last fluid step
   double hydrodynamic_radius(int i) const;
+  bool is_driven(int i) const;    // by forces, from init() on
   double drawn_radius(int i) const;    // of the sphere that the fluid sees, in cells
   std::vector<lbm::Layer> profile(int axis, int width);    // in layers of width nodes
 
@@ -212,7 +213,6 @@ class FixLbIbb : public Fix {
   };
   std::vector<Yielding> yieldings;
   void find_integrators();
-  bool is_driven(int i) const;
   void provide_light();
   bool is_light(int i) const;
   double density_ratio(int i) const;

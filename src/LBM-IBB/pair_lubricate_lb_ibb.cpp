@@ -239,7 +239,7 @@ void PairLubricateLbIbb::check_step()
   if (update->whichflag != 1) return;
   double rate = 0.0, all;
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & fluid->groupbit)
+    if ((atom->mask[i] & fluid->groupbit) && fluid->is_driven(i))
       rate = std::max(rate, lbm::film_rate(film, fluid->hydrodynamic_radius(i), atom->rmass[i]));
   MPI_Allreduce(&rate, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   if (all * update->dt <= 1.0) return;
