@@ -243,9 +243,9 @@ template <class L> double excess_in(const Slots<L> &f, const std::vector<Index> 
 }
 
 template <class L, RefillRule rule>
-double refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
-                    const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
-                    Neighbours &neighbours, RefillCount &count)
+static double refill_by(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+                        const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
+                        Neighbours &neighbours, RefillCount &count)
 {
   double excess = 0.0;
   const auto samples = Around<L, rule>(at, f, before, now, force, neighbours).collect(nodes);
@@ -274,6 +274,17 @@ double refill_local(const Layout &at, const Slots<L> &f, const Cover &before, co
     }
   }
   return excess;
+}
+
+template <class L>
+double refill_local(RefillRule rule, const Layout &at, const Slots<L> &f, const Cover &before,
+                    const Cover &now, const std::vector<Uncovered> &nodes, double tau,
+                    const Vec3 &force, Neighbours &neighbours, RefillCount &count)
+{
+  const auto by = rule == RefillRule::NORMAL ? refill_by<L, RefillRule::NORMAL>
+      : rule == RefillRule::LOCAL            ? refill_by<L, RefillRule::LOCAL>
+                                             : refill_by<L, RefillRule::GRAD>;
+  return by(at, f, before, now, nodes, tau, force, neighbours, count);
 }
 
 template <class L>
@@ -337,22 +348,17 @@ double fill_pockets(const Layout &at, const Slots<L> &f, const Cover &cover,
   return gain;
 }
 
-#define LBM_INSTANTIATE_LOCAL(L, rule)                                \
-  template double refill_local<L, RefillRule::rule>(                  \
-      const Layout &, const Slots<L> &, const Cover &, const Cover &, \
-      const std::vector<Uncovered> &, double, const Vec3 &, Neighbours &, RefillCount &);
-#define LBM_INSTANTIATE(L)                                                                    \
-  LBM_INSTANTIATE_LOCAL(L, GRAD)                                                              \
-  LBM_INSTANTIATE_LOCAL(L, NORMAL)                                                            \
-  LBM_INSTANTIATE_LOCAL(L, LOCAL)                                                             \
-  template double excess_in<L>(const Slots<L> &, const std::vector<Index> &);                 \
-  template double refill_equilibrium<L>(const Slots<L> &, const Cover &,                      \
-                                        const std::vector<Uncovered> &, double, const Vec3 &, \
-                                        RefillCount &);                                       \
-  template double fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,            \
+#define LBM_INSTANTIATE(L)                                                                     \
+  template double refill_local<L>(RefillRule, const Layout &, const Slots<L> &, const Cover &, \
+                                  const Cover &, const std::vector<Uncovered> &, double,       \
+                                  const Vec3 &, Neighbours &, RefillCount &);                  \
+  template double excess_in<L>(const Slots<L> &, const std::vector<Index> &);                  \
+  template double refill_equilibrium<L>(const Slots<L> &, const Cover &,                       \
+                                        const std::vector<Uncovered> &, double, const Vec3 &,  \
+                                        RefillCount &);                                        \
+  template double fill_pockets<L>(const Layout &, const Slots<L> &, const Cover &,             \
                                   const std::vector<uint32_t> &, const Vec3 &);
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE
-#undef LBM_INSTANTIATE_LOCAL
 
 }    // namespace lbm

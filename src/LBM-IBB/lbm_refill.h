@@ -42,8 +42,9 @@ template <class L> double excess_in(const Slots<L> &f, const std::vector<Index> 
 
 // Fill them, between the link pass of step t - 1 and the sweep of step t; f are the slots of step
 // t. Returns the sum of their density excess. Collective over all blocks.
-template <class L, RefillRule rule>    // all but EQUILIBRIUM
-double refill_local(const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
+template <class L>
+double refill_local(RefillRule rule,    // all but EQUILIBRIUM
+                    const Layout &at, const Slots<L> &f, const Cover &before, const Cover &now,
                     const std::vector<Uncovered> &nodes, double tau, const Vec3 &force,
                     Neighbours &neighbours, RefillCount &count);
 

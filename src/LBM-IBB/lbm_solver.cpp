@@ -2,13 +2,13 @@
 
 #include "lbm_solver.h"
 
+#include "lbm_bodies.h"
 #include "lbm_enclosed.h"
 #include "lbm_halo.h"
 #include "lbm_sweep.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -50,28 +50,34 @@ namespace {
     std::vector<ShapeReview> set_obstacles(const std::vector<Shape> &shapes) override
     {
       if (shapes.empty()) return {};
-      solids = std::make_unique<Obstacles>(find_obstacles(shapes));
-      states.assign(shapes.size(), {});
+      solids = std::make_unique<Bodies>(find_obstacles(shapes));
       now = nullptr;
       provide(now);
-      now->place(with_obstacles({}));
+      now->place(solids->after({}, settings.ledger));
       const auto lost = covered_nodes();
       covered = Index(lost.size());
       book.covered += double(covered);
       book.excess[Ledger::COVERED] -= excess_in<L>(block.slots(), lost);
-      return over_all(solids->reviews());
+      return over_all(solids->obstacles().reviews());
     }
     std::vector<ShapeReview> review(const std::vector<Shape> &shapes) override
     {
       return over_all(find_obstacles(shapes).reviews());
     }
-    const std::vector<ObstacleState> &obstacles() const override { return states; }
-    void resume_obstacles(const std::vector<ObstacleState> &from) override { states = from; }
+    const std::vector<ObstacleState> &obstacles() const override
+    {
+      static const std::vector<ObstacleState> none;
+      return solids ? solids->states() : none;
+    }
+    void resume_obstacles(const std::vector<ObstacleState> &from) override
+    {
+      if (solids) solids->resume(from);
+    }
 
     void follow(const std::vector<Sphere> &spheres) override
     {
       if (solids)
-        follow_bodies(with_obstacles(spheres));
+        follow_bodies(solids->after(spheres, settings.ledger));
       else
         follow_bodies(spheres);
     }
@@ -88,7 +94,7 @@ namespace {
       moved = !now->same_places(spheres);
       if (moved) {
         // a scene at rest, but for obstacles, needs no former cover
-        if (before || now->spheres().size() > states.size()) {
+        if (before || now->spheres().size() > obstacles().size()) {
           provide(before);
           std::swap(before, now);
         }
@@ -121,7 +127,7 @@ namespace {
       }
       open_faces();
       if (settings.ledger) book_links(loads);
-      if (solids) take_from_obstacles(loads);
+      if (solids) solids->take(loads, neighbours);
     }
     const std::vector<Response> &responses() const override
     {
@@ -193,7 +199,7 @@ namespace {
     {
       if (!now) return {};
       auto spheres = now->spheres();
-      spheres.resize(spheres.size() - states.size());
+      spheres.resize(spheres.size() - obstacles().size());
       return centred_here(spheres, at, lattice);
     }
     void resume(const std::vector<Sphere> &grains, const Counts &so_far) override
@@ -203,7 +209,7 @@ namespace {
       const auto spheres = reaching_here(grains, at, lattice);
       if (spheres.empty()) return;
       provide(now);
-      now->place(solids ? with_obstacles(spheres) : spheres);
+      now->place(solids ? solids->after(spheres, settings.ledger) : spheres);
       covered = Index(covered_nodes().size());
       pass.recall(*now);
     }
@@ -266,9 +272,7 @@ namespace {
     Vec3 force{};
     AtEnd at_end;
 
-    // nothing of this exists without obstacles; states are the same on all ranks
-    std::unique_ptr<Obstacles> solids;
-    std::vector<ObstacleState> states;
+    std::unique_ptr<Bodies> solids;    // obstacles, if there are any
 
     // spheres: nothing of this exists before the first one comes
     std::unique_ptr<Cover> now, before;
@@ -282,7 +286,8 @@ namespace {
 
     void provide(std::unique_ptr<Cover> &cover) const
     {
-      if (!cover) cover = std::make_unique<Cover>(at, L::D, sides(), solids.get());
+      if (!cover)
+        cover = std::make_unique<Cover>(at, L::D, sides(), solids ? &solids->obstacles() : nullptr);
     }
 
     Obstacles find_obstacles(const std::vector<Shape> &shapes) const
@@ -300,34 +305,6 @@ namespace {
     {
       reduce(reviews, neighbours);
       return reviews;
-    }
-
-    std::vector<Sphere> with_obstacles(std::vector<Sphere> spheres) const
-    {
-      for (int k = 0; k < solids->count(); k++) {
-        spheres.push_back(solids->body(k));
-        spheres.back().drho = states[k].last.drho();
-        if (settings.ledger)
-          spheres.back().refund =
-              refund(states[k].last.swallowed, states[k].before.swallowed, states[k].last.area);
-      }
-      return spheres;
-    }
-
-    // collective: what they got here is the end of the list
-    void take_from_obstacles(std::vector<Load> &loads)
-    {
-      constexpr std::size_t N = sizeof(Load) / sizeof(double);    // all of it are sums
-      const std::size_t grains = loads.size() - states.size();
-      std::vector<double> sums(N * states.size());
-      std::memcpy(sums.data(), &loads[grains], sums.size() * sizeof(double));
-      neighbours.sum(sums.data(), int(sums.size()));
-      for (std::size_t k = 0; k < states.size(); k++) {
-        states[k].before = states[k].last;
-        std::memcpy(static_cast<void *>(&states[k].last), &sums[N * k], sizeof(Load));
-        states[k].steps += 1.0;
-      }
-      loads.resize(grains);
     }
 
     const int32_t *owner() const { return now ? now->owner() : nullptr; }
@@ -486,28 +463,11 @@ namespace {
       provide(now);    // a rank without any may have to answer the others' questions
       provide(before);
       book.uncovered += double(nodes.size());
-      book.excess[Ledger::REFILLED] += refill_by_rule(nodes);
-    }
-
-    double refill_by_rule(const std::vector<Uncovered> &nodes)
-    {
-      switch (settings.refill) {
-        case RefillRule::NORMAL:
-          return refill_with<RefillRule::NORMAL>(nodes);
-        case RefillRule::LOCAL:
-          return refill_with<RefillRule::LOCAL>(nodes);
-        case RefillRule::EQUILIBRIUM:
-          return refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(), force,
-                                       counts.refilled);
-        default:
-          return refill_with<RefillRule::GRAD>(nodes);
-      }
-    }
-
-    template <RefillRule rule> double refill_with(const std::vector<Uncovered> &nodes)
-    {
-      return refill_local<L, rule>(at, block.slots(), *before, *now, nodes, settings.tau, force,
-                                   neighbours, counts.refilled);
+      book.excess[Ledger::REFILLED] += settings.refill == RefillRule::EQUILIBRIUM
+          ? refill_equilibrium<L>(block.slots(), *before, nodes, mean_density_excess(), force,
+                                  counts.refilled)
+          : refill_local<L>(settings.refill, at, block.slots(), *before, *now, nodes, settings.tau,
+                            force, neighbours, counts.refilled);
     }
 
     // What the mean density had lost comes back with the next sweep, evenly: no force comes of it.
