@@ -191,7 +191,7 @@ template <class Rule, bool moving> void link_pass(benchmark::State &state)
   for (auto _ : state)
     bounce_back<D3Q19, Rule, moving ? Motion::TURN : Motion::REST, true, false>(
         at, block.slots(), cover, links, drho.data(), loads, none);
-  state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size()),
+  state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size),
                                                benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK_TEMPLATE(link_pass, Halfway, false)->Unit(benchmark::kMillisecond);
@@ -213,7 +213,7 @@ void find_all_links(benchmark::State &state)
     for (std::size_t s = 0; s < cover.spheres().size(); s++)
       find_links<D3Q19>(at, cover, s, all, links);
   }
-  state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size()),
+  state.counters["links"] = benchmark::Counter(double(links.size + 2 * links.gaps.size),
                                                benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(find_all_links)->Unit(benchmark::kMillisecond);

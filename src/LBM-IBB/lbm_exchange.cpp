@@ -4,7 +4,9 @@
 
 #include "lbm_bounce_back.h"
 #include "lbm_momentum.h"
+#include "lbm_read_ahead.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace lbm {
@@ -23,6 +25,9 @@ namespace {
       w = f[o];
     }
   };
+
+  // how far ahead of their use the slots of links are fetched
+  constexpr int PACKS_AHEAD = 8;
 
   template <class L, class Rule, Motion motion, bool ledger, bool yields, int W>
   LBM_INLINE inline void
@@ -60,17 +65,31 @@ namespace {
     scatter<W>(slot.w, n, back);
   }
 
-  // what the two ends of a gap are
-  struct Ends {
-    const Sphere *sphere[2];    // ahead and behind
-    Vec3 centre[2];
-    double round[2];    // 0 of an obstacle, whose normals are not along its arms
-    Ends(const Cover &cover, const GapGroup &group) :
-        sphere{&cover.spheres()[group.ahead], &cover.spheres()[group.behind]},
-        centre{cover.centre(group.ahead), cover.centre(group.behind)},
-        round{cover.is_obstacle(group.ahead) ? 0.0 : 1.0,
-              cover.is_obstacle(group.behind) ? 0.0 : 1.0}
+  // what lies at one end of gaps, a sphere for each number
+  template <class V> struct End {
+    V centre[3], velocity[3], spin[3], refund;
+    V round;    // 0 of an obstacle, whose normals are not along its arms, else 1
+    LBM_INLINE End(const Cover &cover, const int32_t *sphere)
     {
+      constexpr int W = SIMD_WIDTH;
+      const Sphere *spheres = cover.spheres().data();
+      for (int d = 0; d < 3; d++) {
+        centre[d] = pack_of<W>([&](int k) LBM_INLINE {
+          return cover.centre(sphere[k])[d];
+        });
+        velocity[d] = pack_of<W>([&](int k) LBM_INLINE {
+          return spheres[sphere[k]].velocity[d];
+        });
+        spin[d] = pack_of<W>([&](int k) LBM_INLINE {
+          return spheres[sphere[k]].spin[d];
+        });
+      }
+      refund = pack_of<W>([&](int k) LBM_INLINE {
+        return spheres[sphere[k]].refund;
+      });
+      round = pack_of<W>([&](int k) LBM_INLINE {
+        return double(!cover.is_obstacle(sphere[k]));
+      });
     }
   };
 
@@ -78,13 +97,13 @@ namespace {
   // normals, which point along the arms of spheres; that of a sphere if the other is an obstacle
   template <Motion motion, class V>
   LBM_INLINE inline V approach(const Wall<motion, V> (&wall)[2], const V (&arm)[2][3],
-                               const double (&round)[2], const int (&e)[3])
+                               const End<V> *const (&ends)[2], const int (&e)[3])
   {
     V length[2], n[3], along = V{}, nn = V{}, en = V{};
     for (int k = 0; k < 2; k++)
       length[k] = root(arm[k][0] * arm[k][0] + arm[k][1] * arm[k][1] + arm[k][2] * arm[k][2]);
     for (int d = 0; d < 3; d++) {
-      n[d] = round[0] * arm[0][d] * length[1] - round[1] * arm[1][d] * length[0];
+      n[d] = ends[0]->round * arm[0][d] * length[1] - ends[1]->round * arm[1][d] * length[0];
       along = along + n[d] * (wall[0].u[d] - wall[1].u[d]);
       nn = nn + n[d] * n[d];
       en = en + double(e[d]) * n[d];
@@ -96,16 +115,17 @@ namespace {
   //     f_o = A + c2 f_i,  f_i = B + c2' f_o,  each rule's x_f' being the other's wall
   // Walls that approach each other are taken half-way: they displace what they should, while the
   // rules would say what happens in a channel of width q + q' without ends, by 1/(q + q') more.
-  template <class L, class Rule, Motion motion, bool ledger, int W>
-  LBM_INLINE inline void close_gaps(const Layout &at, const Slots<L> &f, const Ends &ends, int i,
+  template <class L, class Rule, Motion motion, bool ledger>
+  LBM_INLINE inline void close_gaps(const Decoder &decode, const Slots<L> &f,
+                                    const LinkSlots<L> &slot,
+                                    const End<Pack<SIMD_WIDTH>> *const (&ends)[2], int i,
                                     const int32_t *n, const double *const (&fractions)[2],
-                                    const float *drho, Sums<Pack<W>, ledger> (&sums)[2])
+                                    const float *drho, Sums<Pack<SIMD_WIDTH>, ledger> (&sums)[2])
   {
+    constexpr int W = SIMD_WIDTH;
     using V = Pack<W>;
     const int o = opposite<L>(i);
-    const LinkSlots<L> slot(at, f, i);
     V x[3];
-    const Decoder decode(at);
     decode(load<PackInt<W>>(n), x);
     const V out[2] = {convert<V>(gather<W>(slot.r1, n)), convert<V>(gather<W>(slot.r3, n))};
     V q[2] = {load<V>(fractions[0]), load<V>(fractions[1])};
@@ -115,18 +135,17 @@ namespace {
     for (int k = 0; k < 2; k++) {
       const int(&e)[3] = L::e[k == 0 ? i : o];
       q[k] = q[k] * wider;
-      for (int d = 0; d < 3; d++) arm[k][d] = x[d] - ends.centre[k][d] + double(e[d]) * q[k];
+      for (int d = 0; d < 3; d++) arm[k][d] = x[d] - ends[k]->centre[d] + double(e[d]) * q[k];
       const Coefficients<V> c = Rule::template at<V>(q[k]);
       known[k] = c.c1 * out[k] + c.c3 * out[1 - k];
       c2[k] = c.c2;
       c4[k] = c.c4;
     }
-    const Wall<motion, V> wall[2] = {{*ends.sphere[0], L::e[i], arm[0]},
-                                     {*ends.sphere[1], L::e[o], arm[1]}};
+    const Wall<motion, V> wall[2] = {{*ends[0], L::e[i], arm[0]}, {*ends[1], L::e[o], arm[1]}};
     V squeezed = V{};
     if constexpr (motion != Motion::REST) {
       const V rho = 1.0 + convert<V>(gather<W>(drho, n));
-      squeezed = (1.5 * L::w[i]) * rho * approach(wall, arm, ends.round, L::e[i]);
+      squeezed = (1.5 * L::w[i]) * rho * approach(wall, arm, ends, L::e[i]);
       for (int k = 0; k < 2; k++) {
         pushed[k] = (3.0 * L::w[i]) * rho * wall[k].eu;
         known[k] = known[k] - c4[k] * (pushed[k] - squeezed);
@@ -140,7 +159,7 @@ namespace {
         sums[k].swallowed = sums[k].swallowed + (out[k] - back[k] - 2.0 * pushed[k]);
         if constexpr (motion != Motion::REST)
           sums[k].displaced = sums[k].displaced - 2.0 * pushed[k];
-        back[k] = back[k] + L::w[i] * ends.sphere[k]->refund;
+        back[k] = back[k] + L::w[i] * ends[k]->refund;
       }
       exchange<motion>(sums[k], e, L::w[i], out[k], back[k], arm[k], wall[k]);
     }
@@ -148,32 +167,33 @@ namespace {
     scatter<W>(f[i], n, back[1]);
   }
 
+  // the sphere ahead is one, those behind differ
   template <class L, class Rule, Motion motion, bool ledger>
   void close_group(const Layout &at, const Slots<L> &f, const Cover &cover, const Gaps &gaps,
-                   const GapGroup &group, const float *drho, std::vector<Load> &loads)
+                   const LinkGroup &group, const float *drho, std::vector<Load> &loads)
   {
     constexpr int W = SIMD_WIDTH;
+    using V = Pack<W>;
+    const Decoder decode(at);
     const int i = group.direction;
-    const Ends ends(cover, group);
-    Sums<Pack<W>, ledger> sums[2];
-    std::size_t k = group.begin;
-    for (; k + W <= group.end; k += W)
-      close_gaps<L, Rule, motion, ledger, W>(at, f, ends, i, &gaps.node[k],
-                                             {&gaps.q_ahead[k], &gaps.q_behind[k]}, drho, sums);
-    if (k < group.end) {
-      const Tail<W> ahead(gaps.node, gaps.q_ahead, k, group.end),
-          behind(gaps.node, gaps.q_behind, k, group.end);
-      Sums<Pack<W>, ledger> with_copies[2];
-      close_gaps<L, Rule, motion, ledger, W>(at, f, ends, i, ahead.node, {ahead.q, behind.q}, drho,
-                                             with_copies);
-      for (int side = 0; side < 2; side++)
-        sums[side].add_first(with_copies[side], int(group.end - k));
+    const LinkSlots<L> slot(at, f, i);
+    int32_t same[W];
+    std::fill_n(same, W, group.sphere);
+    const End<V> ahead(cover, same);
+    Sums<V, ledger> sums;
+    for (std::size_t k = group.begin; k < group.end; k += W) {
+      const int n = int(std::min<std::size_t>(W, group.end - k));
+      const Tail<int32_t> node(&gaps.node[k], n), sphere(&gaps.behind[k], n);
+      const Tail<double> q_ahead(&gaps.q_ahead[k], n), q_behind(&gaps.q_behind[k], n);
+      const End<V> behind(cover, sphere.p);
+      Sums<V, ledger> of_pack[2];
+      close_gaps<L, Rule, motion, ledger>(decode, f, slot, {&ahead, &behind}, i, node.p,
+                                          {q_ahead.p, q_behind.p}, drho, of_pack);
+      sums.add_first(of_pack[0], n);
+      add_each<motion>(of_pack[1], sphere.p, n, L::e[opposite<L>(i)], L::w[i], loads);
     }
-    for (int side = 0; side < 2; side++) {
-      sums[side].links = double(group.end - group.begin);
-      add<motion>(sums[side], L::e[side == 0 ? i : opposite<L>(i)], L::w[i],
-                  loads[side == 0 ? group.ahead : group.behind]);
-    }
+    sums.area = 2.0 * L::w[i] * double(group.end - group.begin);
+    add_all<motion>(sums, L::e[i], loads[group.sphere]);
   }
 
   void add_pressure(const Cover &cover, const Hidden &hidden, int32_t sphere, double p,
@@ -211,36 +231,63 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
 {
   constexpr int W = SIMD_WIDTH;
   const Decoder decode(at);
-  for (const LinkGroup &group : links.groups) {
+  Sums<Pack<W>, ledger> sums;
+  ReadAhead ahead(
+      links, links.first, PACKS_AHEAD,
+      [&](int i) {
+        return LinkSlots<L>(at, f, i);
+      },
+      [drho](const LinkSlots<L> &slot, int32_t n) LBM_INLINE {
+        __builtin_prefetch(slot.r1 + n);
+        if constexpr (Rule::interpolated) __builtin_prefetch(slot.r2 + n);
+        if constexpr (Rule::interpolated) __builtin_prefetch(slot.r3 + n);
+        if constexpr (motion != Motion::REST) __builtin_prefetch(drho + n);
+        __builtin_prefetch(slot.w + n, 1);
+      });
+  for (std::size_t g = links.first; g < links.groups.size(); g++) {
+    const LinkGroup &group = links.groups[g];
     const int i = group.direction;
     const LinkSlots<L> slot(at, f, i);
     const Sphere &sphere = cover.spheres()[group.sphere];
     const Vec3 c = cover.centre(group.sphere);
     const double refund = L::w[i] * sphere.refund;
     const Turn turn(L::e[i]);
-    Sums<Pack<W>, ledger> sums;
     ReachSums<Pack<W>, yields> reach;
+    [[maybe_unused]] Reach *const of_group = yields ? &reaches[size_t(group.sphere) * L::Q + i]
+                                                    : nullptr;
+    if constexpr (yields) {
+      __builtin_prefetch(&of_group->links, 1);
+      __builtin_prefetch(&of_group->sums[REACH - 1], 1);
+    }
     const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to,
                                  auto &reach) LBM_INLINE {
+      ahead.next();
       bounce_back_pack<L, Rule, motion, ledger, yields, W>(
           decode, slot, sphere, c, L::e[i], L::w[i], refund, nodes, q, drho, to, reach, turn);
     };
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums, reach);
     if (k < group.end) {
-      const Tail<W> tail(links.node, links.q, k, group.end);
+      const int n = int(group.end - k);
+      const Tail<int32_t> node(&links.node[k], n);
+      const Tail<double> q(&links.q[k], n);
       Sums<Pack<W>, ledger> with_copies;
       ReachSums<Pack<W>, yields> reach_of_copies;
-      bounce_pack(tail.node, tail.q, with_copies, reach_of_copies);
-      sums.add_first(with_copies, int(group.end - k));
-      reach.add_first(reach_of_copies, int(group.end - k));
+      bounce_pack(node.p, q.p, with_copies, reach_of_copies);
+      sums.add_first(with_copies, n);
+      reach.add_first(reach_of_copies, n);
     }
-    sums.links = double(group.end - group.begin);
-    add<motion>(sums, L::e[i], L::w[i], loads[group.sphere]);
+    const double size = double(group.end - group.begin);
+    sums.area += 2.0 * L::w[i] * size;
+    const bool last = g + 1 == links.groups.size() || links.groups[g + 1].sphere != group.sphere;
+    if (last || motion == Motion::REST) {
+      add_all<motion>(sums, L::e[i], loads[group.sphere]);
+      sums = {};
+    }
     if constexpr (yields)
-      if (sphere.yields) reach.add_to(reaches[std::size_t(group.sphere) * L::Q + i], sums.links);
+      if (sphere.yields) reach.add_to(*of_group, size);
   }
-  for (const GapGroup &group : links.gaps.groups)
+  for (const LinkGroup &group : links.gaps.groups)
     close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho, loads);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }

@@ -18,59 +18,58 @@ namespace {
 void Gaps::clear()
 {
   groups.clear();
-  node.clear();
-  q_ahead.clear();
-  q_behind.clear();
+  size = 0;
+}
+
+void Gaps::add(int32_t x_f, int32_t sphere_behind)
+{
+  if (node.size() < size + 2 * SIMD_WIDTH) resize(2 * size + 64);
+  node[size] = x_f;
+  behind[size++] = sphere_behind;
+}
+
+void Gaps::close(int32_t ahead, int direction, std::size_t begin)
+{
+  if (size > begin) groups.push_back({ahead, direction, uint32_t(begin), uint32_t(size)});
 }
 
 void Gaps::trim()
 {
+  resize(size + SIMD_WIDTH);
   groups.shrink_to_fit();
   node.shrink_to_fit();
+  behind.shrink_to_fit();
   q_ahead.shrink_to_fit();
   q_behind.shrink_to_fit();
 }
 
-double Gaps::bytes() const
+void Gaps::resize(std::size_t room)
 {
-  return held(groups) + held(node) + held(q_ahead) + held(q_behind);
+  node.resize(room);
+  behind.resize(room);
+  q_ahead.resize(room);
+  q_behind.resize(room);
 }
 
-void Gaps::add(int32_t x_f, int direction, int32_t ahead, int32_t behind, double ahead_at,
-               double behind_at)
+double Gaps::bytes() const
 {
-  if (groups.empty() || groups.back().ahead != ahead || groups.back().behind != behind ||
-      groups.back().direction != direction)
-    groups.push_back({ahead, behind, direction, uint32_t(size()), uint32_t(size())});
-  node.push_back(x_f);
-  q_ahead.push_back(ahead_at);
-  q_behind.push_back(behind_at);
-  groups.back().end++;
+  return held(groups) + held(node) + held(behind) + held(q_ahead) + held(q_behind);
 }
 
 void Links::clear()
 {
   groups.clear();
+  first = 0;
   gaps.clear();
   hidden.clear();
   size = 0;
 }
 
-void Links::append(const Links &other)
+void Links::settle()
 {
-  const auto join = [&](auto &list, const auto &more) {
-    if (list.size() < size + other.size + SIMD_WIDTH)
-      list.resize(2 * (size + other.size + SIMD_WIDTH));
-    std::copy_n(more.begin(), other.size, list.begin() + std::ptrdiff_t(size));
-  };
-  join(node, other.node);
-  join(q, other.q);
-  for (LinkGroup group : other.groups) {
-    group.begin += uint32_t(size);
-    group.end += uint32_t(size);
-    groups.push_back(group);
-  }
-  size += other.size;
+  first = groups.size();
+  gaps.clear();
+  hidden.clear();
 }
 
 void Links::trim()
@@ -85,13 +84,12 @@ void Links::trim()
   gaps.trim();
   hidden.shrink_to_fit();
   bits = {};
-  gaps_found = {};
 }
 
 double Links::bytes() const
 {
   return held(q) + held(node) + held(groups) + gaps.bytes() + held(pockets) + held(hidden) +
-      held(bits) + held(gaps_found);
+      held(bits);
 }
 
 namespace {
@@ -212,7 +210,7 @@ namespace {
 
     void along(int i)
     {
-      const std::size_t begin = links.size;
+      const std::size_t begin = links.size, first_gap = links.gaps.size;
       switch (L::e[i][0]) {
         case -1:
           along_rows<-1>(i);
@@ -224,7 +222,8 @@ namespace {
           along_rows<1>(i);
           break;
       }
-      keep_gaps(i);
+      if (links.gaps.size > first_gap) set_fractions_of_gaps(i, first_gap);
+      links.gaps.close(int32_t(s), i, first_gap);
       if (links.size == begin) return;
       set_fractions(i, begin);
       links.groups.push_back({int32_t(s), int32_t(i), uint32_t(begin), uint32_t(links.size)});
@@ -243,38 +242,34 @@ namespace {
       for (int z = lo[2]; z <= hi[2]; z++) {
         const Bits *here = &bits(lo[1], z), *ahead = &bits(lo[1] + e[1], z + e[2]),
                    *behind = &bits(lo[1] - e[1], z - e[2]);
-        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++) {
+        make_room(std::size_t(hi[1] - lo[1] + 1) * 62);
+        int32_t row = int32_t(at.index(x0, lo[1], z)), *end = &links.node[links.size];
+        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++, row += at.stride_y) {
           const uint64_t found = window & ~here->equal & seen_from<ex>(ahead->equal);
-          if (!found) continue;
           const uint64_t fluid = found & here->negative;
+          const uint64_t free = fluid & seen_from<-ex>(behind->negative);
+          if (open_faces) look_for_open_face(i, free, row, std::size_t(end - links.node.data()));
+          end = append_bits(free, row, end);    // most rows have some: to ask first costs more
+          if (free == found) continue;
           if (fluid != found && !obstacle) hide(i, found & ~fluid, y, z);
-          const uint64_t free = seen_from<-ex>(behind->negative);
-          if (i <= L::P && (fluid & ~free)) add_gaps(i, fluid & ~free, y, z);
-          add_links(fluid & free, y, z);
-          if (open_faces) look_for_open_face(i, fluid & free, y, z);
+          if (i <= L::P && free != fluid) add_gaps(i, fluid & ~free, row);
         }
+        links.size = std::size_t(end - links.node.data());
       }
     }
 
-    void add_links(uint64_t found, int y, int z)
+    void make_room(std::size_t more)
     {
-      const std::size_t most = links.size + 64;
-      if (links.q.size() < most) {
-        const std::size_t room = std::max<std::size_t>(2 * most, 1024);
-        links.q.resize(room);
-        links.node.resize(room);
-      }
-      const int32_t row = int32_t(at.index(x0, y, z));
-      int32_t *node = &links.node[links.size];
-      links.size += __builtin_popcountll(found);
-      for (; found; found &= found - 1) *node++ = row + __builtin_ctzll(found);
+      const std::size_t most = links.size + more + 16 + SIMD_WIDTH;
+      if (links.q.size() >= most) return;
+      links.q.resize(2 * most);
+      links.node.resize(2 * most);
     }
 
-    // of the links just added
-    void look_for_open_face(int i, uint64_t found, int y, int z)
+    // of the links of a row, which begin with this one
+    void look_for_open_face(int i, uint64_t found, Index row, std::size_t link)
     {
-      const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
-      std::size_t link = links.size - __builtin_popcountll(found);
+      const Index back = -at.offset(L::e[i]);
       for (; found; found &= found - 1, link++)
         if (owner[row + __builtin_ctzll(found) + back] == OUTSIDE) at_open_face.push_back(link);
     }
@@ -288,15 +283,22 @@ namespace {
       if (obstacle) {
         cover.obstacles().fractions(node + begin, links.size - begin, i, q + begin);
       } else {
-#pragma GCC ivdep
-        for (std::size_t k = begin; k < links.size; k++) {
-          double x[3];
-          decode(node[k], x);
-          q[k] = cut({x[0] - c[0], x[1] - c[1], x[2] - c[2]}, e, r);
-        }
+        const V centre[3] = {V{} + c[0], V{} + c[1], V{} + c[2]};
+        for (std::size_t k = begin; k < links.size; k += SIMD_WIDTH)    // the arrays reach further
+          store(q + k, fractions(node + k, centre, e, V{} + r));
       }
       for (std::size_t k : at_open_face) q[k] = 0.5;
       at_open_face.clear();
+    }
+
+    using V = Pack<SIMD_WIDTH>;
+
+    V fractions(const int32_t *node, const V (&centre)[3], const int (&e)[3], const V &radius) const
+    {
+      V x[3];
+      decode(load<PackInt<SIMD_WIDTH>>(node), x);
+      const V d[3] = {x[0] - centre[0], x[1] - centre[1], x[2] - centre[2]};
+      return cut(d, e, radius);
     }
 
     // links from nodes of another sphere
@@ -358,34 +360,44 @@ namespace {
       }
     }
 
-    void add_gaps(int i, uint64_t found, int y, int z)
+    void add_gaps(int i, uint64_t found, Index row)
     {
-      const Index row = at.index(x0, y, z), back = -at.offset(L::e[i]);
+      const Index back = -at.offset(L::e[i]);
       for (; found; found &= found - 1) {
-        const int k = __builtin_ctzll(found);
-        links.gaps_found.push_back({owner[row + k + back], int32_t(row + k)});
+        const Index n = row + __builtin_ctzll(found);
+        links.gaps.add(int32_t(n), owner[n + back]);
       }
     }
 
-    void keep_gaps(int i)
+    void set_fractions_of_gaps(int i, std::size_t begin)
     {
-      auto &found = links.gaps_found;
-      if (found.empty()) return;
-      std::stable_sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
-        return a.behind < b.behind;
-      });
-      const auto fraction = [&](int32_t node, int32_t sphere, int direction) {
-        if (cover.is_obstacle(sphere)) return cover.obstacles().fraction(node, direction);
-        const Vec3 &c = cover.centre(sphere);
-        double x[3];
-        decode(node, x);
-        return cut({x[0] - c[0], x[1] - c[1], x[2] - c[2]}, L::e[direction],
-                   cover.spheres()[sphere].radius);
-      };
-      for (const Links::GapFound &gap : found)
-        links.gaps.add(gap.node, i, int32_t(s), gap.behind, fraction(gap.node, int32_t(s), i),
-                       fraction(gap.node, gap.behind, opposite<L>(i)));
-      found.clear();
+      Gaps &gaps = links.gaps;
+      const V r = V{} + cover.spheres()[s].radius, mine[3] = {V{} + c[0], V{} + c[1], V{} + c[2]};
+      std::fill_n(&gaps.behind[gaps.size], SIMD_WIDTH, int32_t(s));    // for the rest of a pack
+      for (std::size_t k = begin; k < gaps.size; k += SIMD_WIDTH) {
+        const int32_t *t = &gaps.behind[k];
+        V centre[3];
+        for (int d = 0; d < 3; d++)
+          centre[d] = pack_of<SIMD_WIDTH>([&](int l) LBM_INLINE {
+            return cover.centre(t[l])[d];
+          });
+        const V radius = pack_of<SIMD_WIDTH>([&](int l) LBM_INLINE {
+          return cover.spheres()[t[l]].radius;
+        });
+        store(&gaps.q_ahead[k], fractions(&gaps.node[k], mine, L::e[i], r));
+        store(&gaps.q_behind[k], fractions(&gaps.node[k], centre, L::e[opposite<L>(i)], radius));
+      }
+      if (cover.is_obstacle(cover.spheres().size() - 1)) set_fractions_of_obstacles(i, begin);
+    }
+
+    void set_fractions_of_obstacles(int i, std::size_t begin)
+    {
+      Gaps &gaps = links.gaps;
+      for (std::size_t k = begin; k < gaps.size; k++) {
+        if (obstacle) gaps.q_ahead[k] = cover.obstacles().fraction(gaps.node[k], i);
+        if (cover.is_obstacle(gaps.behind[k]))
+          gaps.q_behind[k] = cover.obstacles().fraction(gaps.node[k], opposite<L>(i));
+      }
     }
   };
 

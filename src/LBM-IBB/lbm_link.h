@@ -28,25 +28,22 @@ struct LinkGroup {
   uint32_t begin, end;    // in the arrays of Links
 };
 
-// pairs of links of one node along i = 1..P and its opposite, between the same two spheres
-struct GapGroup {
-  int32_t ahead, behind;    // spheres that cover x_f + e_i and x_f - e_i
-  int32_t direction;
-  uint32_t begin, end;    // in the arrays of Gaps
-};
-
+// pairs of links of one node along i = 1..P and its opposite: the group's sphere covers x_f + e_i
 struct Gaps {
-  std::vector<GapGroup> groups;
-  std::vector<int32_t> node;    // index of x_f
+  std::vector<LinkGroup> groups;
+  std::vector<int32_t> node, behind;    // index of x_f, and the sphere that covers x_f - e_i
   std::vector<double> q_ahead, q_behind;
+  std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
 
-  std::size_t size() const { return q_ahead.size(); }
   void clear();
+  void add(int32_t node, int32_t behind);
+  // those added since begin are a group; their fractions are to be filled in
+  void close(int32_t ahead, int direction, std::size_t begin);
   void trim();
   double bytes() const;
-  // to the last group if that is of the same spheres and direction
-  void add(int32_t node, int direction, int32_t ahead, int32_t behind, double q_ahead,
-           double q_behind);
+
+ private:
+  void resize(std::size_t room);
 };
 
 // Links between the nodes of two spheres that touch, or nearly, or of a sphere and what lies behind
@@ -61,22 +58,18 @@ struct Hidden {
 
 struct Links {
   std::vector<LinkGroup> groups;
+  std::size_t first = 0;        // of the groups to bounce back: those before have
   std::vector<int32_t> node;    // index of x_f
   std::vector<double> q;
   std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
   Gaps gaps;
   std::vector<uint32_t> pockets;    // fluid nodes, all neighbours but one covered or behind walls
   std::vector<Hidden> hidden;
-  // scratch of find_links()
-  struct GapFound {
-    int32_t behind, node;
-  };
-  std::vector<Bits> bits;
-  std::vector<GapFound> gaps_found;
+  std::vector<Bits> bits;    // scratch of find_links()
 
-  void clear();    // all but the pockets, which wait for the links of all spheres
-  void append(const Links &other);    // its groups of links alone
-  void trim();                        // give back what is allocated and not in use, scratch too
+  void clear();     // all but the pockets, which wait for the links of all spheres
+  void settle();    // all have bounced back; groups alone are kept
+  void trim();      // give back what is allocated and not in use, scratch too
   double bytes() const;
 };
 
@@ -102,28 +95,28 @@ class Decoder {
   double stride_y, stride_z;
 };
 
-// less than a pack of links, filled with copies of the last: they are treated alike
-template <int W> struct Tail {
-  int32_t node[W];
-  double q[W];
-  Tail(const std::vector<int32_t> &nodes, const std::vector<double> &fractions, std::size_t k,
-       std::size_t end)
+// n numbers, less than a pack, filled with copies of the first: links that are treated alike. Reads
+// a whole pack.
+template <class T, int W = SIMD_WIDTH> struct Tail {
+  T p[W];
+  Tail(const T *all, int n)
   {
-    for (int l = 0; l < W; l++, k += k + 1 < end) {
-      node[l] = nodes[k];
-      q[l] = fractions[k];
-    }
+    using V = Pack<W, T>;
+    store(p, first_of(load<V>(all), n, V{} + all[0]));
   }
 };
 
-// fraction q of the link from node d = x_f - c, outside, along e, where it enters the sphere
-inline double cut(const Vec3 &d, const int (&e)[3], double radius)
+// fraction q of the link from node d = x_f - c, outside, along e, where it enters the sphere; V is a
+// number or a pack
+template <class V> LBM_INLINE inline V cut(const V (&d)[3], const int (&e)[3], const V &radius)
 {
-  const double a = e[0] * e[0] + e[1] * e[1] + e[2] * e[2], b = dot(e, d);
-  const double c = dot(d, d) - radius * radius;
-  const double disc = b * b - a * c;
-  const double q = c / (-b + std::sqrt(disc > 0.0 ? disc : 0.0));
-  return q > 1.0 ? 1.0 : (q > Q_MIN ? q : Q_MIN);
+  const V zero{}, one = zero + 1.0, least = zero + Q_MIN;
+  const double a = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+  const V b = double(e[0]) * d[0] + double(e[1]) * d[1] + double(e[2]) * d[2];
+  const V c = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - radius * radius;
+  const V disc = b * b - a * c;
+  const V q = c / (root(disc > zero ? disc : zero) - b);
+  return q > one ? one : (q > least ? q : least);
 }
 
 // the fluid nodes that can have a link to sphere s are among these

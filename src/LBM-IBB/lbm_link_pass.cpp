@@ -41,6 +41,7 @@ void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const flo
     list.pockets.clear();
   }
   yielding_.clear();
+  yielding_.pockets.clear();
   links_ = gaps_ = 0;
   if (tiles_.cut()) find_near();
 }
@@ -70,7 +71,7 @@ template <class L> void LinkPass<L>::inner(std::size_t k, const Slots<L> &f)
   if (!tiles_.cut()) return;
   if (!kept_)
     for (std::size_t n = first_near_[k]; n < first_near_[k + 1]; n++)
-      find(near_[n], tiles_.behind(k), list(k), f);
+      find(near_[n], tiles_.behind(k), k, f);
   if (!moved_) bounce_kept(k, f);
 }
 
@@ -78,7 +79,7 @@ template <class L> void LinkPass<L>::outermost(const Slots<L> &f)
 {
   if (!kept_)
     for (std::size_t s = 0; s < cover_->spheres().size(); s++)
-      for (const Region &region : tiles_.shell()) find(s, region, list(tiles_.count()), f);
+      for (const Region &region : tiles_.shell()) find(s, region, tiles_.count(), f);
   if (!moved_) {
     bounce_kept(tiles_.count(), f);
     kept_ = true;
@@ -94,19 +95,22 @@ template <class L> void LinkPass<L>::bounce_kept(std::size_t k, const Slots<L> &
   bounce(lists_[k], any_yields_, f);
 }
 
-// links of one sphere; if it moves they are used at once
+// links of one sphere; if it moves they are used at once, and kept only if it yields
 template <class L>
-void LinkPass<L>::find(std::size_t s, const Region &region, Links &list, const Slots<L> &f)
+void LinkPass<L>::find(std::size_t s, const Region &region, std::size_t k, const Slots<L> &f)
 {
-  const std::size_t links = list.size, gaps = list.gaps.size();
-  find_links<L>(at_, *cover_, s, region, list);
-  links_ += list.size - links + 2 * (list.gaps.size() - gaps);
-  gaps_ += list.gaps.size() - gaps;
-  if (!moved_) return;
   const bool yields = cover_->spheres()[s].yields;
+  Links &list = !moved_ ? lists_[k] : yields ? yielding_ : lists_[0];
+  const std::size_t links = list.size, gaps = list.gaps.size;
+  find_links<L>(at_, *cover_, s, region, list);
+  links_ += list.size - links + 2 * (list.gaps.size - gaps);
+  gaps_ += list.gaps.size - gaps;
+  if (!moved_) return;
   bounce(list, yields, f);
-  if (yields) yielding_.append(list);
-  list.clear();
+  if (yields)
+    list.settle();
+  else
+    list.clear();
 }
 
 template <class L> template <class F> void LinkPass<L>::with_rule(F &&f) const
@@ -157,7 +161,7 @@ void LinkPass<L>::bounce_in(const Links &links, const Slots<L> &f)
 
 template <class L> double LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 &force) const
 {
-  double gain = 0.0;
+  double gain = lbm::fill_pockets<L>(at_, f, *cover_, yielding_.pockets, force);
   for (const Links &list : lists_)
     gain += lbm::fill_pockets<L>(at_, f, *cover_, list.pockets, force);
   return gain;
@@ -193,11 +197,10 @@ template <class L> void LinkPass<L>::recall(const Cover &cover)
   reaches_.assign(L::Q * cover.spheres().size(), {});
   for (std::size_t s = 0; s < cover.spheres().size(); s++) {
     if (!cover.spheres()[s].yields) continue;
-    find_links<L>(at_, cover, s, at_.all(), lists_[0]);
-    yielding_.append(lists_[0]);
-    lists_[0].clear();
+    find_links<L>(at_, cover, s, at_.all(), yielding_);
   }
-  lists_[0].pockets.clear();
+  yielding_.settle();
+  yielding_.pockets.clear();
   with_rule([&](auto rule) {
     lbm::add_reaches<L, decltype(rule)>(at_, cover, yielding_, reaches_);
   });

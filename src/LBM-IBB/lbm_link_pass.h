@@ -72,8 +72,7 @@ template <class L> class LinkPass {
   std::size_t links_ = 0, gaps_ = 0;
 
   void find_near();
-  void find(std::size_t s, const Region &region, Links &list, const Slots<L> &f);
-  Links &list(std::size_t k) { return moved_ ? lists_[0] : lists_[k]; }
+  void find(std::size_t s, const Region &region, std::size_t k, const Slots<L> &f);
   void bounce_kept(std::size_t k, const Slots<L> &f);
   void bounce(const Links &links, bool yields, const Slots<L> &f);
   template <class Rule> void bounce_with(const Links &links, bool yields, const Slots<L> &f);

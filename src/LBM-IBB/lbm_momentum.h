@@ -8,6 +8,8 @@
 #include "lbm_simd.h"
 #include "lbm_sphere.h"
 
+#include <vector>
+
 namespace lbm {
 
 // mass, if there is a ledger of it
@@ -17,17 +19,16 @@ template <class V, bool ledger> struct Swallowed {
 template <class V> struct Swallowed<V, false> {
 };
 
-// what one direction of one sphere adds up, in packs; the links of surfaces at rest are pressed
-// along e alone, and torque then holds the sum of arm times pressure
+// What one sphere adds up, in packs. Surfaces at rest are pressed along e alone: torque then holds
+// the sum of arm times pressure, of one direction.
 template <class V, bool ledger> struct Sums : Swallowed<V, ledger> {
   V force[3] = {V{}, V{}, V{}}, torque[3] = {V{}, V{}, V{}}, pressing = V{};
-  double links = 0.0;
+  double area = 0.0;
 
   // of the first n numbers of each pack
   void add_first(const Sums &other, int n)
   {
-    V keep{};
-    for (int k = 0; k < n; k++) keep[k] = 1.0;
+    const V keep = first_of(V{} + 1.0, n, V{});
     for (int d = 0; d < 3; d++) {
       force[d] += keep * other.force[d];
       torque[d] += keep * other.torque[d];
@@ -40,33 +41,59 @@ template <class V, bool ledger> struct Sums : Swallowed<V, ledger> {
   }
 };
 
-template <Motion motion, class V, bool ledger>
-void add(const Sums<V, ledger> &sums, const int (&e)[3], double w, Load &load)
+// number(pack) is what counts of a pack
+template <Motion motion, class V, bool ledger, class F>
+LBM_INLINE inline void add(const F &number, double area, const Sums<V, ledger> &sums,
+                           const int (&e)[3], Load &load)
 {
   constexpr bool moving = motion != Motion::REST;
-  const double pressing = total(sums.pressing);
+  const double pressing = number(sums.pressing);
   Vec3 force, torque;
   for (int d = 0; d < 3; d++) {
-    force[d] = moving ? total(sums.force[d]) : e[d] * pressing;
-    torque[d] = total(sums.torque[d]);
+    force[d] = moving ? number(sums.force[d]) : e[d] * pressing;
+    torque[d] = number(sums.torque[d]);
   }
   if (!moving) torque = cross(torque, {double(e[0]), double(e[1]), double(e[2])});
   load.pressing += pressing;
   if constexpr (ledger) {
-    load.swallowed += total(sums.swallowed);
-    if constexpr (moving) load.displaced += total(sums.displaced);
+    load.swallowed += number(sums.swallowed);
+    if constexpr (moving) load.displaced += number(sums.displaced);
   }
-  load.area += 2.0 * w * sums.links;
+  load.area += area;
   for (int d = 0; d < 3; d++) {
     load.force[d] += force[d];
     load.torque[d] += torque[d];
   }
 }
 
-// velocity of a surface and what it does to a link
+// of the links of one sphere
+template <Motion motion, class V, bool ledger>
+void add_all(const Sums<V, ledger> &sums, const int (&e)[3], Load &load)
+{
+  add<motion>(
+      [](const V &v) {
+        return total(v);
+      },
+      sums.area, sums, e, load);
+}
+
+// of n links of weight w, each of another sphere
+template <Motion motion, class V, bool ledger>
+void add_each(const Sums<V, ledger> &sums, const int32_t *sphere, int n, const int (&e)[3],
+              double w, std::vector<Load> &loads)
+{
+  for (int k = 0; k < n; k++)
+    add<motion>(
+        [k](const V &v) {
+          return v[k];
+        },
+        2.0 * w, sums, e, loads[sphere[k]]);
+}
+
+// velocity of a surface, of one sphere or of one for each number, and what it does to a link
 template <Motion motion, class V> struct Wall {
   V u[3], eu, usq;
-  LBM_INLINE Wall(const Sphere &s, const int (&e)[3], const V (&arm)[3])
+  template <class S> LBM_INLINE Wall(const S &s, const int (&e)[3], const V (&arm)[3])
   {
     for (int d = 0; d < 3; d++) {
       const int a = (d + 1) % 3, b = (d + 2) % 3;
@@ -78,7 +105,7 @@ template <Motion motion, class V> struct Wall {
   }
 };
 template <class V> struct Wall<Motion::REST, V> {
-  LBM_INLINE Wall(const Sphere &, const int (&)[3], const V (&)[3]) {}
+  template <class S> LBM_INLINE Wall(const S &, const int (&)[3], const V (&)[3]) {}
 };
 
 // momentum of a link given to its sphere; arm = x_w - c

@@ -107,17 +107,36 @@ template <class To, class From> LBM_INLINE inline To convert(const From &v)
 
 namespace detail {
   // written as a list, because filling a pack one by one makes each number wait for the one before
-  template <class V, class T, int... K>
-  LBM_INLINE inline V gather(const T *p, const int32_t *n, std::integer_sequence<int, K...>)
+  template <class V, class F, int... K>
+  LBM_INLINE inline V list(F &&f, std::integer_sequence<int, K...>)
   {
-    return V{p[n[K]]...};
+    return V{f(K)...};
   }
 }    // namespace detail
 
+// the pack of f(0), f(1), ... f(W-1)
+template <int W, class F> LBM_INLINE inline auto pack_of(F &&f)
+{
+  using V = typename detail::Vector<std::decay_t<decltype(f(0))>, W>::type;
+  return detail::list<V>(f, std::make_integer_sequence<int, W>{});
+}
+
 template <int W, class T> LBM_INLINE inline auto gather(const T *p, const int32_t *n)
 {
-  using V = typename detail::Vector<T, W>::type;
-  return detail::gather<V>(p, n, std::make_integer_sequence<int, W>{});
+  return pack_of<W>([&](int k) LBM_INLINE {
+    return p[n[k]];
+  });
+}
+
+// its first n numbers, and others in place of the rest
+template <class V> LBM_INLINE inline V first_of(const V &v, int n, const V &others)
+{
+  using T = std::decay_t<decltype(v[0])>;
+  constexpr int W = int(sizeof(V) / sizeof(T));
+  const V lanes = pack_of<W>([](int k) LBM_INLINE {
+    return T(k);
+  });
+  return lanes < V{} + T(n) ? v : others;
 }
 
 template <int W, class T> LBM_INLINE inline void scatter(T *p, const int32_t *n, const Pack<W> &v)
@@ -127,6 +146,31 @@ template <int W, class T> LBM_INLINE inline void scatter(T *p, const int32_t *n,
   else
     for (int k = 0; k < W; k++) p[n[k]] = T(v[k]);
 }
+
+// Append first + k for each bit k, from p on, which has room for 16 more. Returns the new end.
+inline int32_t *append_bits(uint64_t bits, int32_t first, int32_t *p)
+{
+#if defined(__AVX512F__)
+  // the pack is compressed, then stored as a whole: to store what is chosen is slow on some
+  __m512i n =
+      _mm512_add_epi32(_mm512_set1_epi32(first),
+                       _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+  do {
+    _mm512_storeu_si512(p, _mm512_maskz_compress_epi32(__mmask16(bits), n));
+    p += __builtin_popcount(unsigned(bits & 0xffff));
+    n = _mm512_add_epi32(n, _mm512_set1_epi32(16));
+    bits >>= 16;
+  } while (bits);
+#else
+  for (; bits; bits &= bits - 1) *p++ = first + __builtin_ctzll(bits);
+#endif
+  return p;
+}
+
+#if defined(__AVX512F__)
+// of the eight numbers of a pack: gcc 12 warns of the functions that take no mask
+constexpr __mmask8 ALL = 0xff;
+#endif
 
 // sum of the numbers of a pack: halves are added until one is left
 inline double total(const double &v)
@@ -141,11 +185,38 @@ template <class V> LBM_INLINE inline double total(const V &v)
   return total(half[0] + half[1]);
 }
 
+// increase eight numbers by the totals of eight packs, of which each step below makes half as many
+template <class V> LBM_INLINE inline void add_totals(const V (&v)[8], double *sums)
+{
+#if defined(__AVX512F__)
+  if constexpr (sizeof(V) == sizeof(__m512d)) {
+    const auto pairs = [](const V &a, const V &b) LBM_INLINE {
+      return V(_mm512_maskz_unpacklo_pd(ALL, a, b)) + V(_mm512_maskz_unpackhi_pd(ALL, a, b));
+    };
+    const auto quarters = [](const V &a, const V &b) LBM_INLINE {
+      return V(_mm512_maskz_shuffle_f64x2(ALL, a, b, 0x88)) +
+          V(_mm512_maskz_shuffle_f64x2(ALL, a, b, 0xdd));
+    };
+    const V all = quarters(quarters(pairs(v[0], v[1]), pairs(v[2], v[3])),
+                           quarters(pairs(v[4], v[5]), pairs(v[6], v[7])));
+    store(sums, load<V>(sums) + all);
+    return;
+  }
+#endif
+  for (int n = 0; n < 8; n++) sums[n] += total(v[n]);
+}
+
 template <class V> LBM_INLINE inline V root(const V &v)
 {
   if constexpr (std::is_arithmetic_v<V>) {
     return std::sqrt(v);
   } else {
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == sizeof(__m512d)) return _mm512_maskz_sqrt_pd(ALL, v);
+#endif
+#if defined(__AVX__)
+    if constexpr (sizeof(V) == sizeof(__m256d)) return _mm256_sqrt_pd(v);
+#endif
     V r = v;
     for (unsigned k = 0; k < sizeof(V) / sizeof(v[0]); k++) r[k] = std::sqrt(v[k]);
     return r;

@@ -3,10 +3,14 @@
 #include "lbm_yield.h"
 
 #include "lbm_bounce_back.h"
+#include "lbm_read_ahead.h"
 
 #include <algorithm>
 
 namespace lbm {
+
+// how far ahead of its use a slot is fetched: from the memory
+constexpr int PACKS_AHEAD = 16;
 
 // all of arm x e
 Vec3 Turn::complete(double s, double t) const
@@ -87,10 +91,12 @@ void add_reaches(const Layout &at, const Cover &cover, const Links &links,
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W) add_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {
-      const Tail<W> tail(links.node, links.q, k, group.end);
+      const int n = int(group.end - k);
+      const Tail<int32_t> node(&links.node[k], n);
+      const Tail<double> q(&links.q[k], n);
       ReachSums<V, true> with_copies;
-      add_pack(tail.node, tail.q, with_copies);
-      sums.add_first(with_copies, int(group.end - k));
+      add_pack(node.p, q.p, with_copies);
+      sums.add_first(with_copies, n);
     }
     sums.add_to(reaches[std::size_t(group.sphere) * L::Q + group.direction],
                 double(group.end - group.begin));
@@ -101,12 +107,18 @@ template <class L, class Rule>
 void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
              const std::vector<Gain> &gains)
 {
-  constexpr int W = SIMD_WIDTH, MOST = 32 * W;
+  constexpr int W = SIMD_WIDTH;
   using V = Pack<W>;
   const Decoder decode(at);
-  double less[MOST];
+  ReadAhead ahead(
+      links, 0, PACKS_AHEAD,
+      [&](int i) {
+        return f[opposite<L>(i)];
+      },
+      [](const typename L::Real *back, int32_t n) LBM_INLINE {
+        __builtin_prefetch(back + n, 1);
+      });
   for (const LinkGroup &group : links.groups) {
-    if (!cover.spheres()[group.sphere].yields) continue;
     const Gain &gain = gains[group.sphere];
     const int i = group.direction;
     typename L::Real *back = f[opposite<L>(i)];
@@ -114,17 +126,19 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
     const Vec3 turn =
         cross({double(L::e[i][0]), double(L::e[i][1]), double(L::e[i][2])}, gain.spin);
     const double along = dot(L::e[i], gain.velocity) - dot(turn, cover.centre(group.sphere));
-    for (std::size_t begin = group.begin; begin < group.end; begin += MOST) {
-      const int n = int(std::min<std::size_t>(MOST, group.end - begin));
-      const int32_t *node = &links.node[begin];
-      for (int k = 0; k < n; k += W) {    // the last pack may end with links of the next group
-        V x[3];
-        decode(load<PackInt<W>>(node + k), x);
-        const V c4 = Rule::template at<V>(load<V>(&links.q[begin + k])).c4;
-        store(less + k,
-              3.0 * L::w[i] * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
-      }
-      for (int k = 0; k < n; k++) back[node[k]] -= less[k];
+    for (std::size_t k = group.begin; k < group.end; k += W) {
+      ahead.next();
+      if (!cover.spheres()[group.sphere].yields) continue;
+      const int32_t *node = &links.node[k];
+      V x[3];
+      decode(load<PackInt<W>>(node), x);    // the last pack may end with links of the next group
+      const V c4 = Rule::template at<V>(load<V>(&links.q[k])).c4;
+      double less[W];
+      store(less, 3.0 * L::w[i] * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
+      if (k + W <= group.end)
+        for (int l = 0; l < W; l++) back[node[l]] -= less[l];
+      else
+        for (std::size_t l = 0; l < group.end - k; l++) back[node[l]] -= less[l];
     }
   }
 }

@@ -77,14 +77,13 @@ template <class V, bool yields> struct ReachSums {
   // of the first n numbers of each pack
   void add_first(const ReachSums &other, int n)
   {
-    V keep{};
-    for (int k = 0; k < n; k++) keep[k] = 1.0;
+    const V keep = first_of(V{} + 1.0, n, V{});
     for (int m = 0; m < REACH; m++) sums[m] += keep * other.sums[m];
   }
   void add_to(Reach &reach, double links) const
   {
     reach.links += links;
-    for (int n = 0; n < REACH; n++) reach.sums[n] += total(sums[n]);
+    add_totals(sums, reach.sums);
   }
 };
 template <class V> struct ReachSums<V, false> {

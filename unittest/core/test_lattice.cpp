@@ -215,14 +215,14 @@ TEST(Links, CutMeetsTheSphere)
   const int e[3] = {1, -1, 0};
   const double r = 3.2;
   for (double x : {-2.9, -2.6, -2.3}) {
-    const Vec3 d{x, 1.9, 0.7};
-    if (dot(d, d) <= r * r) continue;
+    const double d[3] = {x, 1.9, 0.7};
+    if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= r * r) continue;
     const double q = cut(d, e, r);
     if (q >= 1.0) continue;
     const Vec3 w{d[0] + q * e[0], d[1] + q * e[1], d[2]};
     EXPECT_NEAR(std::sqrt(dot(w, w)), r, 1e-15 * 10);
   }
-  EXPECT_EQ(cut({-3.2, 0.0, 0.0}, {1, 0, 0}, 3.2), Q_MIN);    // a node on the surface
+  EXPECT_EQ(cut<double>({-3.2, 0.0, 0.0}, {1, 0, 0}, 3.2), Q_MIN);    // a node on the surface
 }
 
 TEST(Cover, CountsTheNodesOfABall)

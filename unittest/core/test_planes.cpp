@@ -157,22 +157,28 @@ template <class L, class Rule> class Channel {
     };
     for (int wall = 0; wall < 2; wall++)
       for (int i = 1; i < L::Q; i++) {
-        const std::size_t begin = links.size;
+        const std::size_t begin = links.size, first_gap = links.gaps.size;
         for_each_node([&](const Int3 &p, Index n) {
           int meets = 0, other = 0;
           const double q = cut_at(p, i, meets), behind = cut_at(p, opposite<L>(i), other);
           if (meets != wall || q > 1.0) return;
           if (behind <= 1.0) {
-            if (i <= L::P) links.gaps.add(int32_t(n), i, wall, other, q, behind);
+            if (i > L::P) return;
+            const std::size_t gap = links.gaps.size;
+            links.gaps.add(int32_t(n), other);
+            links.gaps.q_ahead[gap] = q;
+            links.gaps.q_behind[gap] = behind;
             return;
           }
           links.q.push_back(q);
           links.node.push_back(int32_t(n));
           links.size++;
         });
+        links.gaps.close(wall, i, first_gap);
         if (links.size > begin)
           links.groups.push_back({wall, i, uint32_t(begin), uint32_t(links.size)});
       }
+    links.trim();    // whole packs are read
   }
 
   void advance()
