@@ -292,6 +292,8 @@ def taylor_green(quick):
     points = [vortices(n, tau, 30.0) for tau in taus for n in sizes if slow_enough(n, tau)]
     if not quick:
         points += [vortices(n, tau, 30.0, "collision", collision="bgk") for tau in (0.51, 0.55, 0.6, 0.8) for n in sizes]
+        points += [vortices(n, tau, 30.0, "collision", collision="regularised") for tau in (0.51, 0.6, 0.8) for n in sizes
+                   if slow_enough(n, tau)]
         points += [vortices(n, 0.55, 30.0, "precision", precision="single") for n in sizes]
     return points
 
