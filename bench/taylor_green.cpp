@@ -2,26 +2,36 @@
 // Error of the fluid alone, for ./run accuracy: vortices of Taylor & Green, Proc. R. Soc. A 158, 499
 // (1937), which decay as exp(-2 nu k^2 t), to half their velocity.
 //
-//   taylor_green N TAU RE COLLISION PRECISION    N nodes to the period, RE = U N/nu, bgk | trt,
-//                                                double | single
+//   taylor_green N TAU RE COLLISION PRECISION    N nodes to the period, RE = U N/nu, trt | bgk |
+//                                                regularised, double | single
 //
 // Prints the relative root-mean-square error of the velocity, and the cost in LAMMPS's words.
 
 #include "lbm_neighbours.h"
 #include "lbm_solver.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 
 using namespace lbm;
 
+static bool one_of(const char *word, std::initializer_list<const char *> words)
+{
+  return std::any_of(words.begin(), words.end(), [&](const char *w) {
+    return !std::strcmp(w, word);
+  });
+}
+
 int main(int argc, char **argv)
 {
-  if (argc != 6) {
-    std::fprintf(stderr, "taylor_green N TAU RE COLLISION PRECISION\n");
+  if (argc != 6 || !one_of(argv[4], {"trt", "bgk", "regularised"}) ||
+      !one_of(argv[5], {"double", "single"})) {
+    std::fprintf(stderr, "taylor_green N TAU RE trt|bgk|regularised double|single\n");
     return 1;
   }
   const int n = std::atoi(argv[1]);
@@ -29,6 +39,7 @@ int main(int argc, char **argv)
   s.dimension = 2;
   s.tau = std::atof(argv[2]);
   s.bgk = !std::strcmp(argv[4], "bgk");
+  s.regularised = !std::strcmp(argv[4], "regularised");
   s.single = !std::strcmp(argv[5], "single");
   const double nu = (s.tau - 0.5) / 3.0, k = 2.0 * M_PI / n, U = std::atof(argv[3]) * nu / n;
   Alone alone({true, true, false});

@@ -3,16 +3,22 @@ that matter. References are known solutions or measurements; where there is none
 import math
 import re
 
-from accuracy_run import DEFAULT, EXAMPLES, Point, Run, words_after
+from accuracy_run import DEFAULT, EXAMPLES, RADII, Point, Run, words_after
 
 PI = math.pi
-OWN = ("permeability", "settling_E1", "settling_E3", "restitution_water")    # of order 2, see references()
+OWN = ("permeability", "restitution_water")    # of order 2, see references()
 RULES = ("cli", "zhao", "bouzidi", "halfway")
 
 
 def choose(**choice):
     """what differs from the default"""
     return {k: v for k, v in choice.items() if DEFAULT.get(k) != v}
+
+
+def with_radii(tau):
+    """rules beside the default whose radii are in the table by now: the call after the one that kept them"""
+    known = [line.split()[:2] for line in RADII.read_text().splitlines()] if RADII.exists() else []
+    return [link for link in RULES[1:] if [link, f"{tau:.4g}"] in known]
 
 
 def keywords(choice):
@@ -49,15 +55,17 @@ def arrays(phi, quick):
                                                     for link, tau in (("bouzidi", 0.8), ("zhao", 0.8))]
     points = [array(phi, n) for n in fine]
     points += [array(phi, some[1], tau, "tau") for tau in (0.52, 0.55, 0.6, 0.8, 1.0, 1.5, 3.0)]
-    points += [array(phi, n, tau, "link", link=link)
-               for link in RULES for tau in (0.6, 0.8, 1.0, 2.0) for n in some if link != "cli" or tau < 2]
+    points += [array(phi, n, tau, "link", link=link) for link in RULES[1:] for tau in (0.6, 0.8, 1.0, 2.0) for n in some
+               if tau > 0.6 or n < some[2]]
+    points += [array(phi, some[0], tau, "link") for tau in (0.6, 0.8, 1.0)]
     points += [array(phi, some[1], tau, "collision", collision="bgk", link=link)
                for link in ("cli", "bouzidi", "halfway") for tau in (0.6, 0.8, 1.0, 1.5)]
-    points += [array(phi, n, 2.0, "collision", collision=f"trt {magic}") for magic in (0.0833333, 0.25) for n in some]
+    points += [array(phi, n, 2.0, "collision", collision=f"trt {magic}") for magic in (0.0833333, 0.25) for n in some[:2]]
+    points += [array(phi, n, 2.0, "collision", collision="trt 0.17") for n in some]
     points += [array(phi, n, 2.0, "precision", precision="single") for n in some]
     if phi == 0.45:    # the table is made from the other one
         points += [array(phi, n, 2.0, "radius", radius="calibrated") for n in fine]
-        points += [array(phi, n, 0.8, "radius", radius="calibrated", link=link) for link in RULES[1:] for n in some]
+        points += [array(phi, n, 0.8, "radius", radius="calibrated", link=link) for link in with_radii(0.8) for n in some]
     return points
 
 
@@ -96,13 +104,15 @@ def plates(quick):
     if quick:
         return [plate(20)]
     return [plate(n) for n in (20, 24, 28, 32, 40, 50, 60)] + \
+        [plate(n, sweep="place") for n in (26, 30)] + \
         [plate(28, tau, "tau") for tau in (0.7, 1.0, 2.0)] + \
-        [plate(n, tau, "link", link=link) for link in RULES[1:] for tau in (0.7, 1.0, 3.0) for n in (20, 28, 40)
-         if tau > 0.7 or n == 28] + \
+        [plate(n, tau, "link", link=link) for link in RULES[1:] for tau in (1.0, 3.0) for n in (20, 28, 40)
+         if tau == 3.0 or n == 28] + \
+        [plate(n, 3.0, "collision", collision="trt 0.17") for n in (20, 28, 40)] + \
         [plate(28, 0.7, "collision", collision="bgk", link=link) for link in ("cli", "bouzidi")] + \
         [plate(28, 3.0, "precision", precision="single")] + \
         [plate(n, 3.0, "radius", radius="calibrated") for n in (20, 24, 28, 32, 40)] + \
-        [plate(28, 1.0, "radius", radius="calibrated", link=link) for link in RULES[1:]]
+        [plate(28, 1.0, "radius", radius="calibrated", link=link) for link in with_radii(1.0)]
 
 
 # ---- moving sphere against a fixed one, from when the sphere has passed 1.5 r, over 4 r
@@ -134,14 +144,16 @@ def movings(quick):
     if quick:
         return [moving(3.5), moving(3.5, sweep="refill", refill="local")]
     points = [moving(r) for r in (3.0, 3.52, 4.4, 5.5, 7.0, 8.8)]
-    points += [moving(5.5, tau, "tau") for tau in (0.53, 0.56, 0.7)]
+    points += [moving(5.5, tau, "tau") for tau in (0.53, 0.56, 0.7, 0.8)]
     points += [moving(5.5, sweep="refill", refill=refill) for refill in ("normal", "local", "equilibrium")]
     points += [moving(5.5, sweep="link", link=link) for link in RULES[1:]]
     points += [moving(5.5, sweep="average", average="no")]
     points += [moving(5.5, sweep="precision", precision="single")]
-    points += [moving(5.5, sweep="collision", collision=c, link=link, refill=refill)
-               for c in ("bgk", "trt 0.25", "trt 0.0833333") for link in ("cli", "bouzidi", "zhao")
-               for refill in ("grad", "normal", "equilibrium") if c == "bgk" or refill == "grad"]
+    points += [moving(5.5, sweep="collision", collision=f"trt {magic}") for magic in (0.05, 0.0833333, 0.25)]
+    points += [moving(5.5, tau, "collision", collision="bgk", link=link)
+               for link in ("cli", "bouzidi", "zhao") for tau in (0.63, 0.7)]
+    points += [moving(5.5, sweep="collision", collision="bgk", link=link, refill=refill)
+               for link, refill in (("zhao", "normal"), ("bouzidi", "equilibrium"))]
     points += [moving(5.5, sweep="link", link=link, refill="normal") for link in ("bouzidi", "zhao")]
     return points
 
@@ -149,6 +161,10 @@ def movings(quick):
 # ---- settling sphere: ten Cate et al. 2002
 
 MEASURED = {"E1": 0.03599, "E3": 0.08727}
+# 15 cells per diameter, examples/settling_sphere. Not extrapolated: between 9 and 15 cells the speed goes up and down by
+# 0.3 %, with the places of the lattice that the sphere passes. Of E1 no more can be said: what was measured is 1.1 %
+# above what Stokes' drag in a duct of that width allows.
+FINE = {"E1": 0.03487, "E3": 0.08728}
 
 
 def settle(case, cells, mach=0.09, tau=1.5, sweep="dx", **choice):
@@ -157,7 +173,7 @@ def settle(case, cells, mach=0.09, tau=1.5, sweep="dx", **choice):
     def evaluate(done):
         table = done[0].files[f"settling-{case}-{cells}.dat"]
         v = [float(line.split()[2]) for line in table.splitlines() if line[0] != "#"]
-        return [{"quantity": f"settling_{case}", "value": -min(v), "reference": math.nan},
+        return [{"quantity": f"settling_{case}", "value": -min(v), "reference": FINE[case]},
                 {"quantity": f"settling_{case}_measured", "value": -min(v), "reference": MEASURED[case]}]
 
     run = Run("settling_sphere/in.settling_sphere", {"case": case, "cells": cells, "mach": mach, "tau": tau,
@@ -173,7 +189,7 @@ def settle(case, cells, mach=0.09, tau=1.5, sweep="dx", **choice):
 def settlings(quick):
     if quick:
         return [settle("E3", 6)]
-    return [settle("E3", n) for n in (6, 9, 12, 15)] + [settle("E1", n) for n in (6, 9, 12)] + \
+    return [settle("E3", n) for n in (6, 9, 12)] + [settle("E1", n) for n in (6, 9, 12)] + \
         [settle("E3", 9, mach, sweep="tau") for mach in (0.18, 0.045)] + \
         [settle("E1", 6, 0.09, tau, "tau") for tau in (0.8, 1.0)] + \
         [settle("E3", n, sweep="link", link=link) for link in RULES[1:] for n in (6, 9)] + \
@@ -185,6 +201,9 @@ def settlings(quick):
 
 # ---- permeability of a random bed
 
+BED = 2.261e-10    # what 15 and 20 cells per diameter tend to within 0.1 %, if nothing finer has been run
+
+
 def bed(cells, tau=1.0, sweep="dx", **choice):
     choice = choose(**choice)
 
@@ -195,7 +214,7 @@ def bed(cells, tau=1.0, sweep="dx", **choice):
     run = Run("permeability/in.permeability", {"cells": cells, "tau": tau, "table": "bed.dat", **keywords(choice)},
               files=("bed.dat",))
     steps = 9 * (50 + 0.1 * cells**2 / ((tau - 0.5) / 3))
-    return Point("bed", sweep, [run], evaluate, cells / 2, tau, choice, 3 * steps * (3.6 * cells)**3)
+    return Point("bed", sweep, [run], evaluate, cells / 2, tau, choice, 0.8 * steps * (3.6 * cells)**3)
 
 
 def beds(quick):
@@ -203,11 +222,13 @@ def beds(quick):
         return [bed(n) for n in (5, 7.5)]
     return [bed(n) for n in (5, 7.5, 10, 15, 20, 25)] + \
         [bed(10, tau, "tau") for tau in (0.52, 0.55, 0.6, 0.8, 1.5, 2.0)] + \
-        [bed(n, tau, "link", link=link) for link in RULES[1:] for tau in (0.6, 1.0) for n in (10, 15)] + \
+        [bed(n, tau, "link", link=link) for link in RULES[1:] for tau in (0.6, 1.0) for n in (10, 15)
+         if tau == 1.0 or n == 10] + \
+        [bed(n, 1.0, "collision", collision="trt 0.17") for n in (5, 7.5, 10, 15)] + \
         [bed(10, tau, "collision", collision="bgk", link=link) for tau in (0.6, 1.0, 1.5) for link in ("cli", "bouzidi")] + \
         [bed(10, 1.0, "precision", precision="single")] + \
         [bed(n, 1.0, "radius", radius="calibrated") for n in (5, 7.5, 10, 15)] + \
-        [bed(10, 1.0, "radius", radius="calibrated", link=link) for link in RULES[1:]]
+        [bed(10, 1.0, "radius", radius="calibrated", link=link) for link in with_radii(1.0)]
 
 
 # ---- approach to a wall: Brenner 1961
@@ -266,11 +287,13 @@ def vortices(n, tau, Re=10.0, sweep="dx", **choice):
 
 def taylor_green(quick):
     sizes = [16, 32] if quick else [16, 24, 32, 48, 64, 96]
-    taus = [0.55, 0.8] if quick else [0.505, 0.51, 0.52, 0.55, 0.6, 0.7, 0.8, 1.0, 1.5]
+    taus = [0.55, 0.8] if quick else [0.505, 0.51, 0.52, 0.55, 0.6, 0.7, 0.8, 1.0, 1.2, 1.5, 2.0]
     slow_enough = lambda n, tau: 30.0 * (tau - 0.5) / 3 / n < 0.17
     points = [vortices(n, tau, 30.0) for tau in taus for n in sizes if slow_enough(n, tau)]
     if not quick:
         points += [vortices(n, tau, 30.0, "collision", collision="bgk") for tau in (0.51, 0.55, 0.6, 0.8) for n in sizes]
+        points += [vortices(n, tau, 30.0, "collision", collision="regularised") for tau in (0.51, 0.6, 0.8) for n in sizes
+                   if slow_enough(n, tau)]
         points += [vortices(n, 0.55, 30.0, "precision", precision="single") for n in sizes]
     return points
 
@@ -354,7 +377,7 @@ def lb_fluid(phi, cells, stencil, less=0.0, places=8):
 def lb_fluids(quick):
     if quick:
         return []
-    return [lb_fluid(0.125, n, stencil) for stencil in (2, 4) for n in (8, 13, 20)] + \
+    return [lb_fluid(0.125, n, stencil) for stencil in (2, 4) for n in (8, 13, 20) if stencil == 2 or n < 20] + \
         [lb_fluid(0.125, n, 2, 0.4) for n in (8, 13, 20)] + \
         [lb_fluid(0.45, n, 2, less) for less in (0.0, 0.4) for n in (6, 10, 16)]
 
@@ -374,6 +397,8 @@ def references(rows):
             continue
         (r1, v1), (r2, v2) = ((float(row["r_over_dx"]), float(row["value"])) for row in fine[-2:])
         exact = v2 + (v2 - v1) / ((r2 / r1)**2 - 1)
+        if quantity == "permeability" and r1 < 10:    # there errors still fall faster than by second order
+            exact = BED
         for row in mine:
             row["reference"], row["error"] = f"{exact:.6g}", f"{float(row['value']) / exact - 1:.6g}"
     return rows

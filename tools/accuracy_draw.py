@@ -8,7 +8,7 @@ try:
 except ImportError:
     plt = None
 
-from accuracy_tables import CASES_3D, MAIN, error, front, is_default, number, of, refinement, rule
+from accuracy_tables import CASES_3D, error, floors, front, is_default, number, of, refinement
 
 COLOUR = {"cli": "C0", "zhao": "C2", "bouzidi": "C1", "halfway": "C3"}
 TITLE = {"array_0.125": "cubic array, solid fraction .125", "array_0.45": "cubic array, .45",
@@ -124,13 +124,13 @@ def tau(table, out):
 
 
 def surface(table, out):
-    """vortices: error over resolution and tau, and against cost, with the floor of the Mach number"""
+    """vortices: error over resolution and tau, against cost, and against the Mach number with the floor fitted"""
     rows = [r for r in of(table, "taylor_green") if r["collision"] == "trt" and r["precision"] == "double"]
     taus, sizes = (sorted({number(r, name) for r in rows}) for name in ("tau", "r_over_dx"))
     if len(taus) < 3 or len(sizes) < 3:
         return
     found = {(number(r, "tau"), number(r, "r_over_dx")): error(r) for r in rows}
-    figure, axes = plt.subplots(1, 2, figsize=(11, 4.2))
+    figure, axes = plt.subplots(1, 3, figsize=(16, 4.2))
     grid = [[math.log10(found.get((t, n), math.nan)) for n in sizes] for t in taus]
     picture = axes[0].contourf(sizes, [t - 0.5 for t in taus], grid, levels=14, cmap="viridis")
     axes[0].set_xscale("log")
@@ -146,6 +146,19 @@ def surface(table, out):
     axes[1].set_xlabel("node updates")
     axes[1].set_ylabel("error of the velocity (%)")
     axes[1].legend(fontsize=7)
+    found = floors(table)
+    for k, (n, (points, (a, b, c), _, _)) in enumerate(found.items()):
+        colour = plt.cm.plasma(k / max(1, len(found)))
+        axes[2].loglog([m for m, _ in points], [100 * e for _, e in points], "o", ms=4, color=colour, label=f"{n:.0f} nodes")
+        fine = [points[0][0] * (points[-1][0] / points[0][0])**(i / 100) for i in range(101)]
+        axes[2].loglog(fine, [100 * math.sqrt(max(a + b * m**2 + c * m**4, 0)) for m in fine], "-", lw=1, color=colour)
+    if found:
+        _, (_, _, c), _, _ = list(found.values())[-1]
+        line = [0.03, 0.3]
+        axes[2].loglog(line, [100 * math.sqrt(max(c, 0)) * m**2 for m in line], "k:", lw=1, label=f"{math.sqrt(max(c, 0)):.2g} Ma^2")
+    axes[2].set_xlabel("Ma, by the time step at one spacing")
+    axes[2].set_ylabel("error of the velocity (%)")
+    axes[2].legend(fontsize=7)
     save(figure, out, "surface")
 
 

@@ -22,6 +22,8 @@ EXAMPLES = root / "examples"
 RADII = root / "potentials" / "lbm-ibb.radius"
 COLUMNS = ("case quantity sweep r_over_dx tau collision link refill average precision radius value reference error scatter "
            "wall_s cpu_s steps node_updates mlups memory_mib ranks load commit machine").split()
+# what makes a row: another of the same replaces it
+IDENTITY = COLUMNS[:COLUMNS.index("value")]
 DEFAULT = {"collision": "trt", "link": "cli", "refill": "grad", "average": "yes", "precision": "double", "radius": "given"}
 
 
@@ -64,7 +66,16 @@ class Point:
     r: float                   # cells per radius, or per half width of a channel
     tau: float
     choice: dict = dataclasses.field(default_factory=dict)    # what is not the default
-    updates: float = 1e7       # guess, for the progress line
+    updates: float = 1e7       # guess: for the progress line, and what is run first
+
+    def __post_init__(self):    # two ranks where a run takes seconds
+        if (os.cpu_count() or 1) > 1 and self.updates / len(self.runs) > 1e8:
+            for run in self.runs:
+                run.ranks = 1 if run.script.startswith("bench/") else 2
+
+    def importance(self):
+        """0 first: the default, then what it does at other tau and with corrected radii, then the other rules"""
+        return {"dx": 0, "steps_per_contact": 0, "tau": 1, "radius": 1, "place": 1}.get(self.sweep, 2)
 
     def name(self):
         other = " ".join(str(v) for v in self.choice.values())

@@ -5,21 +5,23 @@ python3 check.py [quick|full] times: what is to be predicted: ranks, scene, time
 Errors within a factor of 1.5, seconds within 30 %: exit status 1 if one is not. The scenes are those of
 scenes.txt.
 """
+import glob
 import math
 import re
+import statistics
 import sys
 
 
-def log(name):
-    with open("log." + name) as file:
-        return file.read()
-
-
 def loop(name):
-    """steps and seconds of all runs of a log, and the fluid step"""
-    runs = re.findall(r"^Loop time of (\S+) on \d+ procs for (\d+) steps", log(name), re.M)
-    step = re.findall(r"fluid step = \d+ x timestep = ([^,]+),", log(name))[-1]
-    return sum(int(n) for _, n in runs), sum(float(s) for s, _ in runs), float(step)
+    """steps and seconds of all runs of a log, the median of its repetitions, and the fluid step"""
+    seconds = []
+    for path in sorted(glob.glob(f"log.{name}.[0-9]")):
+        with open(path) as file:
+            log = file.read()
+        runs = re.findall(r"^Loop time of (\S+) on \d+ procs for (\d+) steps", log, re.M)
+        step = re.findall(r"fluid step = \d+ x timestep = ([^,]+),", log)[-1]
+        seconds.append(sum(float(s) for s, _ in runs))
+    return sum(int(n) for _, n in runs), statistics.median(seconds), float(step)
 
 
 def rows(name):
@@ -37,8 +39,9 @@ def main(size, times):
             steps, _, dt = loop(run)
             print(ranks, name, steps * dt, *options)
         return
-    predicted = [(row[0], float(row[1]), float(row[2])) for row in rows("predicted.dat")]
-    (K, spread), (fine, _) = ([float(x) for x in row[6:8]] for row in rows("array.dat"))
+    found = [(row[0], float(row[1]), float(row[2])) for row in rows("predicted.dat")]
+    predicted = [(*found[k][:2], statistics.median(row[2] for row in found[k::len(scenes)])) for k in range(len(scenes))]
+    (K, spread), (fine, _) = ([float(x) for x in row[6:8]] for row in rows("array.dat")[:2])
     error = {"bed": abs(float(rows("bed.dat")[0][5]) / 7.186e-10 - 1.0),
              "array": math.hypot(K / fine - 1.0, K / fine * spread)}
     if size == "full":

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// How fast this machine is: a fluid like the one that is planned, run for some tens of milliseconds
+// How fast this machine is: a fluid like the one that is planned, run for two tenths of a second
 // on every rank at once.
 
 #ifndef LBM_PACE_H

@@ -333,8 +333,8 @@ TEST(PlanPace, MeasuresSomethingSensible)
     EXPECT_LT(pace.bytes, populations + 60);
     EXPECT_GT(pace.node, 1e-10);
     EXPECT_LT(pace.node, 1e-5);
-    // three spheres along each side; they save at most the sweep of what they cover
-    const double nodes = dimension == 2 ? 1600 : 64000, spheres = dimension == 2 ? 9 : 27;
+    // 3 x 3 discs, or 3 x 3 x 3 body-centred cells; they save at most the sweep of what they cover
+    const double nodes = dimension == 2 ? 1600 : 64000, spheres = dimension == 2 ? 9 : 54;
     EXPECT_GT(pace.link * spheres * links_of_sphere(5.0, dimension), -0.55 * nodes * pace.node);
     EXPECT_LT(pace.link, 1e-4);
   }
