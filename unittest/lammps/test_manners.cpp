@@ -23,6 +23,7 @@
 #include "update.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 class Manners : public FluidTest {
  protected:
@@ -101,6 +102,24 @@ TEST_F(Manners, ReducedLoadsBearTheWater)
   for (int d = 0; d < 3; d++) EXPECT_NEAR(value(d), out(6 + d), 1e-6 * mass() * accel);
   EXPECT_NEAR(value(3), std::max(load(1)[0], load(2)[0]), 1e-6 * mass() * accel);
   EXPECT_LT(value(3), 0.9 * value(0));    // two grains bear it
+}
+
+// The movie of quicksand is made only where ffmpeg is; its commands must be right everywhere.
+TEST_F(Manners, TheMovieOfQuicksandIsSpeltRight)
+{
+  const char *source = std::getenv("LBMIBB_SOURCE_DIR");
+  std::ifstream file(std::string(source ? source : "") + "/examples/quicksand/movie.lmp");
+  if (!file) GTEST_SKIP() << "no examples beside these tests";
+  std::string line, commands;
+  while (std::getline(file, line)) {
+    const auto from = line.find("\"dump"), to = line.rfind('"');
+    if (from != std::string::npos) commands += line.substr(from + 1, to - from - 1) + "\n";
+  }
+  EXPECT_IN(commands, "dump movie ");
+  EXPECT_IN(commands, "dump_modify movie ");
+  script(scene() +
+         "\nvariable out string movie\nvariable between equal 10\nvariable colour atom vx" +
+         "\nvariable diameter atom 2.0*radius\n" + commands + "undump movie");
 }
 
 TEST_F(Manners, ErrorsNameTheKeywordAndThePage)
