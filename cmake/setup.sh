@@ -146,9 +146,11 @@ build() {
   options+=(${LBMIBB_CMAKE_OPTIONS:-})
   # what CMake finds on the machine may have changed since
   state="${options[*]}: without $(missing_packages optional | tr '\n' ' ')"
+  if have ffmpeg; then state+=' with ffmpeg'; fi
   if [ ! -e "$build/build.ninja" ] || [ "$state" != "$(cat "$build/state" 2>/dev/null)" ]; then
     say "configuring in $build"
-    LBMIBB_CACHE=$(cache_folder) cmake "${options[@]}" >&2 9>&-
+    # pictures and movies: LAMMPS keeps what it found the first time, and must look again
+    LBMIBB_CACHE=$(cache_folder) cmake -U WITH_PNG -U WITH_FFMPEG "${options[@]}" >&2 9>&-
     echo "$state" > "$build/state"
     say "building; the first time takes some minutes"
   fi

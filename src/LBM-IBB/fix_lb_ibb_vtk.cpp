@@ -221,7 +221,7 @@ void FixLbIbbVtk::init()
 // the state a run starts from, unless it is that which the last one ended with
 void FixLbIbbVtk::setup(int)
 {
-  if (known.step < 0) known = moment();
+  keep_time();
   if (goes_on && written < 0) {
     int has = 0;
     if (comm->me == 0)
@@ -245,9 +245,8 @@ void FixLbIbbVtk::end_of_step()
 void FixLbIbbVtk::write_restart(FILE *fp)
 {
   if (comm->me) return;
-  const Moment present = moment();
-  fwrite(&present.bytes, sizeof(int), 1, fp);
-  fwrite(&present, sizeof present, 1, fp);
+  fwrite(&known.bytes, sizeof(int), 1, fp);
+  fwrite(&known, sizeof known, 1, fp);
 }
 
 void FixLbIbbVtk::restart(char *buf)

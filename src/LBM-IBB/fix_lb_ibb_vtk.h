@@ -52,12 +52,13 @@ class FixLbIbbVtk : public Fix {
   std::unique_ptr<lbm::VtkSeries> fluid_series, grain_series;
   bool goes_on;      // the restart file that was read had this fix in it
   bigint written;    // last step that was
-  // A moment whose time is known. LAMMPS's own clock forgets, in a restart file of mid-run, the time
-  // since that run began.
+  // A moment whose time is known, and the timestep since. LAMMPS's own clock forgets, in a restart
+  // file of mid-run, the time since that run began. It is moved only where the timestep changes:
+  // a run that goes on gives its files the times, to the last bit, of one that was not stopped.
   struct Moment {
-    int version = 1, bytes = sizeof(Moment);
+    int version = 2, bytes = sizeof(Moment);
     bigint step = -1;
-    double time = 0.0;
+    double time = 0.0, dt = 0.0;
   } known;
   lbm::Sample nodes;
   double lo[3], hi[3];    // what the region reaches over
@@ -69,7 +70,7 @@ class FixLbIbbVtk : public Fix {
   void check_interval();
   void choose_nodes();
   double now() const;
-  Moment moment() const;
+  void keep_time();
   void write();
   void write_fluid();
   void write_grains();

@@ -27,17 +27,20 @@ using namespace LAMMPS_NS;
 
 double FixLbIbbVtk::now() const
 {
-  if (known.step < 0)
-    return update->atime + double(update->ntimestep - update->atimestep) * update->dt;
-  return known.time + double(update->ntimestep - known.step) * update->dt;
+  return known.time + double(update->ntimestep - known.step) * known.dt;
 }
 
-FixLbIbbVtk::Moment FixLbIbbVtk::moment() const
+// before the first step with a timestep, the known moment is the present one
+void FixLbIbbVtk::keep_time()
 {
-  Moment present;
-  present.step = update->ntimestep;
-  present.time = now();
-  return present;
+  if (known.step < 0)
+    known.time = update->atime + double(update->ntimestep - update->atimestep) * update->dt;
+  else if (known.dt != update->dt)
+    known.time = now();
+  else
+    return;
+  known.step = update->ntimestep;
+  known.dt = update->dt;
 }
 
 void FixLbIbbVtk::write()

@@ -232,6 +232,12 @@ TEST_F(VtkFiles, GoOnAfterARestart)
   start();
   script("read_restart at10\nneighbor 1e-4 bin" + moving + again + vtk("4 w a", "other") + run(4));
   EXPECT_EQ(VtkReader::text_of("a-fluid.pvd"), list_of("a-fluid", {16, 20}, dt));
+  // with another timestep, for a fluid that starts anew: time goes on from where it was
+  start();
+  script("read_restart at10\nneighbor 1e-4 bin\ntimestep " + num(dt / 2) + moving +
+         std::regex_replace(again, std::regex("every 2 restart at10"), "every 4 restart none") +
+         vtk("4 w a") + run(4));
+  EXPECT_NEAR(VtkReader("a-fluid-000000020.vti").time(), 18 * dt, 1e-12 * dt);
 }
 
 // ---- refusals

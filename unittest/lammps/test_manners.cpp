@@ -22,6 +22,9 @@
 
 #include "update.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 class Manners : public FluidTest {
  protected:
   std::string scene()
@@ -80,6 +83,43 @@ TEST_F(Manners, HaltAndEvery)
   const std::string log =
       log_of("variable n equal 0\nrun 20 every 5 \"print 'looks: $(f_w[9]:%.3e)'\" post no");
   EXPECT_IN(log, "looks: ");
+}
+
+// What grains bear, added up by compute reduce and averaged by fix ave/time: in steady flow that is
+// the acceleration of all the water between them.
+TEST_F(Manners, ReducedLoadsBearTheWater)
+{
+  const double accel = 1e-3;
+  script(box({12, 8, 8}) + grain(1, {3.1, 4.2, 3.9}, 2.4) + grain(2, {8.9, 3.6, 4.7}, 2.1) +
+         fluid("accel 1e-3 0 0") + frozen() + "\ncompute sum all reduce sum f_w[1] f_w[2] f_w[3]" +
+         "\ncompute most all reduce max f_w[1]" + run(600) +
+         "\nfix mean all ave/time 1 10 10 c_sum[*] c_most" + run(10));
+  auto *mean = lmp->modify->get_fix_by_id("mean");
+  auto value = [&](int i) {
+    return mean->compute_vector(i);
+  };
+  EXPECT_NEAR(value(0), mass() * accel, 1e-6 * mass() * accel);
+  for (int d = 0; d < 3; d++) EXPECT_NEAR(value(d), out(6 + d), 1e-6 * mass() * accel);
+  EXPECT_NEAR(value(3), std::max(load(1)[0], load(2)[0]), 1e-6 * mass() * accel);
+  EXPECT_LT(value(3), 0.9 * value(0));    // two grains bear it
+}
+
+// The movie of quicksand is made only where ffmpeg is; its commands must be right everywhere.
+TEST_F(Manners, TheMovieOfQuicksandIsSpeltRight)
+{
+  const char *source = std::getenv("LBMIBB_SOURCE_DIR");
+  std::ifstream file(std::string(source ? source : "") + "/examples/quicksand/movie.lmp");
+  if (!file) GTEST_SKIP() << "no examples beside these tests";
+  std::string line, commands;
+  while (std::getline(file, line)) {
+    const auto from = line.find("\"dump"), to = line.rfind('"');
+    if (from != std::string::npos) commands += line.substr(from + 1, to - from - 1) + "\n";
+  }
+  EXPECT_IN(commands, "dump movie ");
+  EXPECT_IN(commands, "dump_modify movie ");
+  script(scene() +
+         "\nvariable out string movie\nvariable between equal 10\nvariable colour atom vx" +
+         "\nvariable diameter atom 2.0*radius\n" + commands + "undump movie");
 }
 
 TEST_F(Manners, ErrorsNameTheKeywordAndThePage)
