@@ -150,7 +150,7 @@ template <class L> class Obstacles::Search {
       const int32_t k = owner_at(p, L::e[i]);
       if (k >= 0)
         add_link(p, n, i, k);
-      else if (known(p, L::e[i]) && i <= L::P && dot(L::e[i], axis_of(i)) == 1.0)
+      else if (i <= L::P && known(p, L::e[i]) && dot(L::e[i], axis_of(i)) == 1.0)
         look_between(p, L::e[i]);
     }
   }

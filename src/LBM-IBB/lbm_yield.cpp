@@ -124,7 +124,7 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
         store(less + k,
               3.0 * L::w[i] * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
       }
-      for (int k = 0; k < n; k++) back[node[k]] -= less[k];
+      for (int k = 0; k < n; k++) back[node[k]] = typename L::Real(back[node[k]] - less[k]);
     }
   }
 }
