@@ -23,7 +23,9 @@ if [ -n "${LBMIBB_SANITIZE_ALL:-}" ]; then
   options+=(-D LBMIBB_LAMMPS_OPT=-O1 -D CMAKE_CXX_FLAGS="-fsanitize=address -fno-omit-frame-pointer")
 fi
 cmake -S "$root" -B "$build" "${options[@]}" > "$folder/configure.log"
-cmake --build "$build" --parallel "$(nproc)" --target lmp lammps_fuzz > "$folder/build.log"
+target=lmp
+if [ "$what" = inputs ]; then target=lammps_fuzz; fi
+cmake --build "$build" --parallel "$(nproc)" --target $target > "$folder/build.log"
 unlock
 
 run_environment
