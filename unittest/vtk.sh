@@ -29,6 +29,7 @@ create_box 1 box
 create_atoms 1 single 0.5e-3 0.5e-3 0.6e-3
 create_atoms 1 single 2.3e-3 1.5e-3 1.6e-3
 END_OF_GRAINS
+# shellcheck disable=SC2016  # a variable of LAMMPS
 echo 'fix z all lb/ibb/vtk 4 w ${name} fields density pressure velocity solid' > in.output
 write_scene
 cat > in.compare <<'END_OF_COMPARE'

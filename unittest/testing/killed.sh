@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # What tests of runs that are killed share: a scene that goes on from restart files bit for bit, and
 # the killing. Sourced after cmake/setup.sh, with the program in $lmp.
+# shellcheck disable=SC2154
 
 # write_scene   in the present folder, beside in.grains (box and grains) and in.output (what is written):
 #   in.start    the scene from its start
