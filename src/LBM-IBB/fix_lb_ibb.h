@@ -228,7 +228,7 @@ class FixLbIbb : public Fix {
   struct Saved;             // what LAMMPS's own file holds of the fluid
   struct SavedObstacle {    // follows that, one for each, and a checksum of them
     lbm::ObstacleState state;
-    std::uint64_t shape;    // its checksum
+    std::uint64_t shape = 0;    // its checksum
   };
   std::vector<SavedObstacle> obstacles_to_go_on;
   std::shared_ptr<const Saved> to_write, to_go_on;    // until the fluid itself is written or read

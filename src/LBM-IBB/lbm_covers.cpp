@@ -141,16 +141,16 @@ Covers::Change Covers::change() const
 {
   Change change;
   if (!moved_) return change;
-  auto &[covered, uncovered] = change;
   for_each_in_first_alone(at_, *now_, before_.get(), [&](std::size_t, const Int3 &, Index n) {
-    covered.push_back(n);
+    change.covered.push_back(n);
   });
-  std::sort(covered.begin(), covered.end());
+  std::sort(change.covered.begin(), change.covered.end());
   if (!before_) return change;
   for_each_in_first_alone(at_, *before_, now_.get(), [&](std::size_t s, const Int3 &p, Index n) {
-    uncovered.push_back({p, n, int32_t(s)});
+    change.uncovered.push_back({p, n, int32_t(s)});
   });
-  std::sort(uncovered.begin(), uncovered.end(), [](const Uncovered &a, const Uncovered &b) {
+  auto &list = change.uncovered;
+  std::sort(list.begin(), list.end(), [](const Uncovered &a, const Uncovered &b) {
     return a.n < b.n;
   });
   return change;

@@ -246,13 +246,13 @@ template <class L> class Obstacles::Search {
   {
     const double length = std::sqrt(dot(normal, normal));
     if (length < 1e-6) return 0.0;
-    double sum = 0.0;
+    int steps = 0;    // both ways
     for (double way : {-STEP / length, STEP / length})
-      for (int s = 1; sum < THICK; s++, sum += STEP) {
+      for (int s = 1; steps * STEP < THICK; s++, steps++) {
         const Vec3 y = added(x, way * s, normal);
         if (in_box(y) && !inside_any(y)) break;
       }
-    return sum;
+    return steps * STEP;
   }
 };
 

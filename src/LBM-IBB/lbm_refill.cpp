@@ -134,7 +134,7 @@ namespace {
       }
     }
     const Eigen::Matrix3d P = -tau / 3.0 * (gradient + gradient.transpose());
-    std::array<double, L::Q> beyond;
+    std::array<double, L::Q> beyond{};
     for (int i = 0; i < L::Q; i++) {
       const Eigen::Vector3d e(L::e[i][0], L::e[i][1], L::e[i][2]);
       beyond[i] = 4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0);
