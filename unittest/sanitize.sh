@@ -2,7 +2,7 @@
 # Long test: hostile input, and every example, under AddressSanitizer and UBSan.
 #
 #   unittest/sanitize.sh LAMMPS-TREE FOLDER inputs [SEED [COUNT]]    the fuzzer, 100,000 inputs of seed 1
-#   unittest/sanitize.sh LAMMPS-TREE FOLDER examples                 15 s of each, on 1 rank and on 4
+#   unittest/sanitize.sh LAMMPS-TREE FOLDER examples [SECONDS]       15 s of each, on 1 rank and on 4
 #
 # Our sources and tests are compiled with both sanitizers, LAMMPS as in every other build, which
 # ccache then has: its memory is watched too where it is allocated, used by us, or copied.
@@ -23,7 +23,9 @@ if [ -n "${LBMIBB_SANITIZE_ALL:-}" ]; then
   options+=(-D LBMIBB_LAMMPS_OPT=-O1 -D CMAKE_CXX_FLAGS="-fsanitize=address -fno-omit-frame-pointer")
 fi
 cmake -S "$root" -B "$build" "${options[@]}" > "$folder/configure.log"
-cmake --build "$build" --parallel "$(nproc)" --target lmp lammps_fuzz > "$folder/build.log"
+target=lmp
+if [ "$what" = inputs ]; then target=lammps_fuzz; fi
+cmake --build "$build" --parallel "$(nproc)" --target $target > "$folder/build.log"
 unlock
 
 run_environment
@@ -48,20 +50,24 @@ leaks() {    # LOG
   awk -v RS= '/leak of/ && /src\/LBM-IBB|lbm::|LbIbb|GranLSD/ && !/Variable::/' "$1"
 }
 status=0
-for input in "$root"/examples/*/in.*; do
-  name=$(basename "$(dirname "$input")")
-  [ "$(basename "$input")" = "in.$name" ] || continue
+seconds=${4:-15}
+# every input script with a fluid in it
+mapfile -t inputs < <(grep -lE '^[^#]*lb/(ibb|plan)' "$root"/examples/*/in.*)
+[ ${#inputs[@]} -ge 20 ] || die "found ${#inputs[@]} inputs in examples"
+for input in "${inputs[@]}"; do
+  example=$(basename "$(dirname "$input")") script=$(basename "$input")
+  name=$example/$script
   for ranks in 1 4; do
-    rm -rf "$folder/$name"
-    cp -r "$root/examples/$name" "$folder/$name"
-    cd "$folder/$name"
-    printf 'timer timeout 0:00:15 every 10\ninclude in.%s\n' "$name" > in.short
+    rm -rf "${folder:?}/$example"
+    cp -r "$root/examples/$example" "$folder/$example"
+    cd "$folder/$example"
+    printf 'timer timeout 0:00:%02d every 10\ninclude %s\n' "$seconds" "$script" > in.short
     # LAMMPS may find results missing after a run that was cut short: only reports count
     mpirun -np $ranks "$build/lmp" -in in.short -log none > log 2>&1 </dev/null || true
     if grep -aE -A 30 "$reports" log || leaks log | grep -a .; then
       echo "$name on $ranks ranks: reported"
       status=1
-    elif ! grep -aqE 'fluid steps, |Fix lb/ibb: ' log; then
+    elif ! grep -aqE 'fluid steps, |Fix lb/ibb: |lb/plan: ' log; then
       echo "$name on $ranks ranks: no fluid step"
       tail -n 5 log
       status=1
@@ -69,6 +75,6 @@ for input in "$root"/examples/*/in.*; do
       echo "$name on $ranks ranks: $(grep -aoE '[0-9]+ fluid steps' log | tail -n 1), clean"
     fi
   done
-  rm -rf "${folder:?}/$name"
+  rm -rf "${folder:?}/$example"
 done
 exit $status

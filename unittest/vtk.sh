@@ -7,6 +7,7 @@
 # Works in FOLDER, on 2 ranks. Skipped (exit status 77) without VTK for Python (python3-vtk9).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../cmake/setup.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/testing/killed.sh"
 
 lmp=$1 folder=$2 kills=${3:-12}
 for python in python3 /usr/bin/python3 ''; do
@@ -22,32 +23,15 @@ mkdir -p "$folder"
 cd "$folder"
 reader=$root/unittest/vtk_read.py
 
-# grains that do not touch, so that a restart goes on bit for bit
-cat > in.common <<'END_OF_COMMON'
-neighbor 1e-4 bin
-fix m all nve/sphere
-fix w all lb/ibb dx 1e-4 nu 1e-6 rho 1000 every 2 accel 2e-4 0 0 buoyancy 0 0 -0.1 &
-  face zlo wall face zhi wall ${restart}
-fix z all lb/ibb/vtk 4 w ${name} fields density pressure velocity solid
-thermo 1000000
-END_OF_COMMON
-cat > in.start <<'END_OF_START'
-units si
-atom_style sphere
-atom_modify map array sort 0 0
-boundary p p f
-comm_modify vel yes
+cat > in.grains <<'END_OF_GRAINS'
 region box block 0 2.4e-3 0 2.0e-3 0 3.2e-3
 create_box 1 box
 create_atoms 1 single 0.5e-3 0.5e-3 0.6e-3
 create_atoms 1 single 2.3e-3 1.5e-3 1.6e-3
-set group all diameter 9e-4 density 1300
-set atom 1 vx 2e-3 vy -1e-3
-set atom 2 vz 1e-3 vy 1e-3
-timestep 5e-4
-variable restart string " "
-include in.common
-END_OF_START
+END_OF_GRAINS
+# shellcheck disable=SC2016  # a variable of LAMMPS
+echo 'fix z all lb/ibb/vtk 4 w ${name} fields density pressure velocity solid' > in.output
+write_scene
 cat > in.compare <<'END_OF_COMPARE'
 include in.start
 fix r all lb/ibb/vtk 40 w raw fields density pressure velocity solid encoding raw
@@ -60,21 +44,7 @@ dump_modify cells format float %.9g
 dump_modify grains format float %.9g
 run 40
 END_OF_COMPARE
-cat > in.run <<'END_OF_RUN'
-include in.start
-restart 6 one two
-run ${steps}
-END_OF_RUN
-# the pair that is read must be the last to be written over
-cat > in.go_on <<'END_OF_GO_ON'
-read_restart ${pair}
-variable restart string "restart ${pair}"
-include in.common
-if "${pair} == one" then "restart 6 two one" else "restart 6 one two"
-run ${steps} ${upto}
-END_OF_GO_ON
-
-mpirun -np 2 "$lmp" -in in.compare -log none -var name z > compare.txt || die "cannot run: $(cat compare.txt)"
+on_2_ranks -in in.compare -var name z || die "cannot run: $(cat run.txt)"
 "$python" "$reader" compare z raw text
 "$python" "$reader" lists z-fluid z-grains
 if have pvpython; then
@@ -92,13 +62,6 @@ else
   say "no pvpython here: not read by ParaView itself"
 fi
 
-# the ranks of an mpirun, at once
-kill_ranks() {
-  local ranks
-  read -r -a ranks < "/proc/$1/task/$1/children" || true
-  if [ ${#ranks[@]} -gt 0 ]; then kill -KILL "${ranks[@]}" 2>/dev/null || true; fi
-}
-
 # the step of a pair of restart files that goes on, or -1
 step_of() {
   local found
@@ -107,19 +70,10 @@ step_of() {
   echo "${found:--1}"
 }
 
-input=(-in in.run -var steps 1000000) known=0 caught=0
+input=(-in in.run) known=0 caught=0
 RANDOM=4711
 for ((k = 1; k <= kills; k++)); do
-  mpirun -np 2 "$lmp" "${input[@]}" -log none -var name k > run.txt 2>&1 &
-  mpi=$!
-  for ((t = 0; t < 600; t++)); do
-    grep -q '^ *Step' run.txt && break
-    kill -0 $mpi 2>/dev/null || die "the run ended by itself: $(cat run.txt)"
-    sleep 0.05
-  done
-  sleep "0.$(printf %03d $((RANDOM % 700)))"
-  kill_ranks $mpi
-  wait $mpi 2>/dev/null || true
+  run_and_kill "${input[@]}" -var steps 1000000 -var upto upto -var name k
   "$python" "$reader" lists k-fluid k-grains > lists.txt || die "after kill $k: $(cat lists.txt)"
   for part in k-*.part; do
     if [ -e "$part" ]; then
@@ -130,15 +84,14 @@ for ((k = 1; k <= kills; k++)); do
   one=$(step_of one) two=$(step_of two)
   pair=one step=$one
   if [ "$two" -gt "$one" ]; then pair=two step=$two; fi
-  if [ "$step" -ge 0 ]; then input=(-in in.go_on -var pair "$pair" -var steps 1000000 -var upto upto) known=$step; fi
+  if [ "$step" -ge 0 ]; then input=(-in in.go_on -var pair "$pair") known=$step; fi
 done
 [ "$known" -gt 0 ] || die "no pair of restart files was ever complete"
 [ "$caught" -gt 0 ] || die "it was never killed while it wrote"
 
 last=$((known + 8))
-mpirun -np 2 "$lmp" -in in.go_on -var pair "$pair" -var steps $last -var upto upto -log none -var name k > run.txt ||
-  die "cannot end: $(cat run.txt)"
-mpirun -np 2 "$lmp" -in in.run -var steps $last -log none -var name through > run.txt || die "cannot run through"
+on_2_ranks -in in.go_on -var pair "$pair" -var steps $last -var upto upto -var name k || die "cannot end: $(cat run.txt)"
+on_2_ranks -in in.run -var steps $last -var upto upto -var name through || die "cannot run through: $(cat run.txt)"
 for list in fluid grains; do
   cmp <(sed 's/"through-/"k-/' "through-$list.pvd") "k-$list.pvd" || die "the list of files differs"
 done

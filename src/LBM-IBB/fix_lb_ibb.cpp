@@ -42,7 +42,7 @@ using lbm::Vec3;
 FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), units{}, nodes{1, 1, 1}, fluid_steps(0), first_step(-1), last_step(-1),
     history(nullptr), ghosted(nullptr), nghosted(0), survey_step(-1), fastest{},
-    warned_of_masses(false), atoms_checked(0), drive{}, buoyancy_before{}, light(nullptr),
+    warned_of_masses(false), grains_known(0), drive{}, buoyancy_before{}, light(nullptr),
     moving_bits(0), held_bits(0), tied_bits(0), about(LOADS), was_saved(false),
     starts_anew(false), trouble{}, warned_of_speed(false)
 {
@@ -107,6 +107,7 @@ int FixLbIbb::setmask()
 void FixLbIbb::setup(int)
 {
   review_setup();
+  grains_changed();
   share_volumes();
   share_nodes();
   warned_of_speed = false;
@@ -157,7 +158,7 @@ void FixLbIbb::end_of_step()
   drive = evaluate_all();
   check_faces();
   drive_fluid(drive);
-  if (atom->natoms != atoms_checked) {
+  if (grains_changed()) {
     share_volumes();
     check_discs();
     provide_light();

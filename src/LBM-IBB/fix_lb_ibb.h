@@ -90,7 +90,7 @@ class FixLbIbb : public Fix {
   bool has_buoyancy() const { return options.has_buoyancy; }
   const lbm::Vec3 &gravity() const { return drive.buoyancy; }    // of the last fluid step
   double hydrodynamic_radius(int i) const;
-  bool is_driven(int i) const;    // by forces, from init() on
+  bool is_driven(int i) const;         // by forces, from init() on
   double drawn_radius(int i) const;    // of the sphere that the fluid sees, in cells
   std::vector<lbm::Layer> profile(int axis, int width);    // in layers of width nodes
 
@@ -156,9 +156,10 @@ class FixLbIbb : public Fix {
   void check_discs();
   void check_disc_masses();
   bool warned_of_masses;
-  bigint atoms_checked;    // how many there were then
+  std::uint64_t grains_known;    // see grains_changed()
   // of spheres in one body, in fix_lb_ibb_clumps.cpp
   bool has_clumps() const;
+  std::vector<char> in_bodies() const;
   double displaced_volume(int i) const;
   void share_volumes();
   void find_variables();
@@ -183,6 +184,7 @@ class FixLbIbb : public Fix {
   void drive_fluid(const Drive &with);
   void check_faces();
   void add_forces(double **held, const lbm::Vec3 &gravity);
+  bool grains_changed();
   void place_grains();
   void give_forces();
   void share_nodes();
@@ -209,7 +211,7 @@ class FixLbIbb : public Fix {
   struct Yielding {
     bigint grain = -1, fluid_step = -1;
     double per_mass[2] = {};
-    std::array<double, 36> inverse;
+    std::array<double, 36> inverse{};
   };
   std::vector<Yielding> yieldings;
   void find_integrators();
@@ -226,7 +228,7 @@ class FixLbIbb : public Fix {
   struct Saved;             // what LAMMPS's own file holds of the fluid
   struct SavedObstacle {    // follows that, one for each, and a checksum of them
     lbm::ObstacleState state;
-    std::uint64_t shape;    // its checksum
+    std::uint64_t shape = 0;    // its checksum
   };
   std::vector<SavedObstacle> obstacles_to_go_on;
   std::shared_ptr<const Saved> to_write, to_go_on;    // until the fluid itself is written or read

@@ -11,7 +11,7 @@
 
 // Clumps: spheres that fix rigid holds together displace the volume of their union, which buoyancy
 // and a pressure gradient act on. Bodies keep their shape: looked at when runs start or grains
-// come.
+// change.
 
 #include "fix_lb_ibb.h"
 
@@ -33,6 +33,20 @@ bool FixLbIbb::has_clumps() const
 {
   return (options.has_buoyancy || options.has_gradp) && atom->radius_flag &&
       !modify->get_fix_by_style("^rigid").empty();
+}
+
+// by own atom: do rigid bodies hold it?
+std::vector<char> FixLbIbb::in_bodies() const
+{
+  std::vector<char> held(atom->nlocal, 0);
+  for (auto *rigid : modify->get_fix_by_style("^rigid")) {
+    int dim;
+    const int *body = (int *) rigid->extract("body", dim);
+    if (!body) continue;
+    for (int i = 0; i < atom->nlocal; i++)
+      if (body[i] >= 0) held[i] = 1;
+  }
+  return held;
 }
 
 // volume of the fluid that grain i displaces
@@ -62,27 +76,23 @@ void FixLbIbb::share_volumes()
     return x[a][0] < x[b][0];
   });
 
-  for (auto *rigid : modify->get_fix_by_style("^rigid")) {
-    int dim;
-    const int *body = (int *) rigid->extract("body", dim);
-    if (!body) continue;
-    for (std::size_t k = 0; k < list.size(); k++) {
-      const int i = list[k];
-      if (i >= nlocal || body[i] < 0) continue;
-      const double radius = hydrodynamic_radius(i);
-      std::vector<lbm::Overlap> others;
-      auto look_at = [&](int j) {
-        Vec3 away;
-        for (int d = 0; d < 3; d++) away[d] = x[j][d] - x[i][d];
-        const double reach = radius + hydrodynamic_radius(j);
-        if (lbm::dot(away, away) < reach * reach)
-          others.push_back({away, hydrodynamic_radius(j), atom->tag[j] < atom->tag[i]});
-      };
-      const double reach = radius + largest;
-      for (std::size_t b = k + 1; b < list.size() && x[list[b]][0] - x[i][0] < reach; b++)
-        look_at(list[b]);
-      for (std::size_t b = k; b-- > 0 && x[i][0] - x[list[b]][0] < reach;) look_at(list[b]);
-      history[i][SHARED] = 1.0 - lbm::kept_share(radius, others, domain->dimension);
-    }
+  const auto held = in_bodies();
+  for (std::size_t k = 0; k < list.size(); k++) {
+    const int i = list[k];
+    if (i >= nlocal || !held[i]) continue;
+    const double radius = hydrodynamic_radius(i);
+    std::vector<lbm::Overlap> others;
+    auto look_at = [&](int j) {
+      Vec3 away;
+      for (int d = 0; d < 3; d++) away[d] = x[j][d] - x[i][d];
+      const double reach = radius + hydrodynamic_radius(j);
+      if (lbm::dot(away, away) < reach * reach)
+        others.push_back({away, hydrodynamic_radius(j), atom->tag[j] < atom->tag[i]});
+    };
+    const double reach = radius + largest;
+    for (std::size_t b = k + 1; b < list.size() && x[list[b]][0] - x[i][0] < reach; b++)
+      look_at(list[b]);
+    for (std::size_t b = k; b-- > 0 && x[i][0] - x[list[b]][0] < reach;) look_at(list[b]);
+    history[i][SHARED] = 1.0 - lbm::kept_share(radius, others, domain->dimension);
   }
 }

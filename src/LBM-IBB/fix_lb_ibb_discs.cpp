@@ -45,11 +45,10 @@ template <class Style> struct Inertia : Style {
 
 }    // namespace
 
-// At the start of a run and when grains have come: an inertia of spheres is refused, masses that
+// At the start of a run and when grains have changed: an inertia of spheres is refused, masses that
 // look like those of spheres are warned of once a run. Collective.
 void FixLbIbb::check_discs()
 {
-  atoms_checked = atom->natoms;
   if (domain->dimension != 2 || !atom->rmass_flag || !atom->radius_flag) return;
   for (auto *other : modify->get_fix_list()) {
     const double inertia =

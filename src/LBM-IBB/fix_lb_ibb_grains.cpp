@@ -21,9 +21,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 using namespace LAMMPS_NS;
 using lbm::Vec3;
+
+// Since this was asked last, have grains come or gone, also one for another, become larger or
+// heavier, joined the group or a rigid body? Told by a sum over them, alike on all ranks. Collective.
+bool FixLbIbb::grains_changed()
+{
+  if (!atom->radius_flag) return false;
+  const auto held = has_clumps() ? in_bodies() : std::vector<char>(atom->nlocal, 0);
+  std::uint64_t sum = 0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double mass = atom->rmass_flag ? atom->rmass[i] : 0.0;
+    const double grain[] = {double(atom->tag[i]), atom->radius[i], mass, double(held[i])};
+    sum += lbm::checksum(grain, std::size(grain));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, world);
+  const bool changed = sum != grains_known;
+  grains_known = sum;
+  return changed;
+}
 
 // The spheres that reach this rank: own grains and ghosts, each where its image is. The owner's
 // place, snapped, goes out with the velocities, so that all images agree to the bit.

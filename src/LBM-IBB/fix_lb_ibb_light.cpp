@@ -208,7 +208,7 @@ void FixLbIbb::correct_fluid()
 void FixLbIbb::keep_responses()
 {
   if (!light) return;
-  told.assign(std::size_t(atom->nlocal + atom->nghost), {});
+  told.assign(std::size_t(atom->nlocal) + atom->nghost, {});
   const auto &responses = fluid->responses();
   for (std::size_t s = 0; s < responses.size(); s++) {
     auto &t = told[sphere_atom[s]];

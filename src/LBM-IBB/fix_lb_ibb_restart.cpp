@@ -80,9 +80,9 @@ void FixLbIbb::write_restart(FILE *fp)
   s->check = s->right_check();
   to_write = s;
   if (comm->me) return;
-  std::vector<SavedObstacle> solid;
+  std::vector<SavedObstacle> solid(s->obstacles);
   for (int k = 0; k < s->obstacles; k++)
-    solid.push_back({fluid->obstacles()[k], found[k].checksum});
+    solid[k] = {fluid->obstacles()[k], found[k].checksum};
   const std::uint64_t check =
       lbm::checksum(solid.data(), solid.size() * sizeof(SavedObstacle) / sizeof check);
   const std::size_t more = solid.empty() ? 0 : solid.size() * sizeof(SavedObstacle) + sizeof(check);

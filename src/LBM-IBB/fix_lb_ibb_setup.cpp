@@ -222,7 +222,7 @@ void FixLbIbb::create_fluid()
 {
   units.dt = nevery * update->dt;
   const lbm::Int3 n = fields->n();
-  std::array<std::array<int, 2>, 3> rank;
+  std::array<std::array<int, 2>, 3> rank{};
   lbm::Settings s;
   for (int d = 0; d < 3; d++)
     for (int side = 0; side < 2; side++) {

@@ -43,8 +43,8 @@ class FixWallGranLSDCoulomb : public Fix {
  protected:
   enum Motion { STILL, SHEAR, WIGGLE };
 
-  GranLSD::Material material;
-  GranLSD::Law law;
+  GranLSD::Material material{};
+  GranLSD::Law law{};
   double offset;            // contact radius minus atom radius
   double inertia_factor;    // I/(m r^2), for the cap of the friction
   int normal;               // axis across the walls

@@ -138,7 +138,7 @@ struct Force {
 inline Force evaluate(const Law &law, double overlap, const double *n, const Side &i, const Side &j,
                       double dt)
 {
-  Force out;
+  Force out{};
 
   // velocity of i relative to j, at the contact point
 

@@ -91,8 +91,7 @@ struct LBFields::Field {
   void *data() { return d2 ? (void *) d2 : d3 ? (void *) d3 : (void *) d4; }
 };
 
-LBFields::LBFields(LAMMPS *lmp, const lbm::Int3 &global_) :
-    Pointers(lmp), global(global_), lo_{0, 0, 0}
+LBFields::LBFields(LAMMPS *lmp, const lbm::Int3 &global_) : Pointers(lmp), global(global_)
 {
   lbm::Int3 hi{0, 0, 0};
   if (domain->dimension == 2) {

@@ -47,7 +47,7 @@ class LBFields : protected Pointers {
   double memory_usage() const;
 
  private:
-  lbm::Int3 global, lo_, n_;
+  lbm::Int3 global, lo_{}, n_{};
   std::unique_ptr<class Grid2d> grid2;
   std::unique_ptr<class Grid3d> grid3;
   struct Field;

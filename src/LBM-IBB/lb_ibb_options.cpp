@@ -21,8 +21,6 @@
 using namespace LAMMPS_NS;
 using lbm::FaceKind;
 
-static constexpr const char *FACE[3][2] = {{"xlo", "xhi"}, {"ylo", "yhi"}, {"zlo", "zhi"}};
-
 LBOptionsParser::LBOptionsParser(LAMMPS *lmp, int narg_, char **arg_) :
     Pointers(lmp), narg(narg_), iarg(3), arg(arg_)
 {
@@ -58,19 +56,6 @@ LBOptions LBOptionsParser::parse()
   check_faces();
   check_radius();
   return o;
-}
-
-// the table of radii was measured with spheres and two relaxation times
-void LBOptionsParser::check_radius() const
-{
-  if (!o.calibrated) return;
-  if (domain->dimension == 2)
-    error->all(FLERR, "Fix lb/ibb keyword radius: there is no table for discs: use radius given");
-  if (o.bgk || o.regularised || o.magic != LBOptions{}.magic)
-    error->all(FLERR,
-               "Fix lb/ibb keyword radius: the table is of collision trt {}: use that, or radius "
-               "given",
-               LBOptions{}.magic);
 }
 
 // arg[iarg] is a keyword; leaves iarg at its last word
@@ -161,11 +146,12 @@ void LBOptionsParser::keyword()
   } else if (name == "obstacle") {
     obstacle();
   } else {
-    error->all(FLERR, iarg,
-               "Fix lb/ibb (see doc/src/fix_lb_ibb.rst): unknown keyword '{}'; known are every, "
-               "collision, precision, link, refill, face, obstacle, accel, gradp, buoyancy, shrink, "
-               "radius, average, conserve, coupling, check, restart",
-               name);
+    error->all(
+        FLERR, iarg,
+        "Fix lb/ibb (see doc/src/fix_lb_ibb.rst): unknown keyword '{}'; known are every, "
+        "collision, precision, link, refill, face, obstacle, accel, gradp, buoyancy, shrink, "
+        "radius, average, conserve, coupling, check, restart",
+        name);
   }
 }
 
@@ -187,7 +173,7 @@ void LBOptionsParser::face()
   int d = 0, side = 0;
   for (d = 0; d < 3; d++) {
     for (side = 0; side < 2; side++)
-      if (name == FACE[d][side]) break;
+      if (name == LBOptions::FACES[d][side]) break;
     if (side < 2) break;
   }
   if (d == 3) refuse(at, "'" + name + "' is none of xlo, xhi, ylo, yhi, zlo, zhi");
@@ -253,65 +239,6 @@ void LBOptionsParser::obstacle()
                        "components of omega must be 0",
                        solid.region));
   o.obstacles.push_back(solid);
-}
-
-void LBOptionsParser::check_faces() const
-{
-  auto open = [&](int d, int side) {
-    return o.face[d][side].kind == FaceKind::PRESSURE || o.face[d][side].kind == FaceKind::VELOCITY;
-  };
-  for (int d = 0; d < domain->dimension; d++) {
-    check_flux(d);
-    for (int side = 0; side < 2; side++) {
-      if (!domain->periodicity[d] && o.face[d][side].kind == FaceKind::PERIODIC)
-        error->all(FLERR,
-                   "Fix lb/ibb: face {} is missing: every face of a non-periodic direction must "
-                   "be a wall, a pressure or a velocity face, or the direction periodic",
-                   FACE[d][side]);
-      if (o.face[d][side].parabolic && !meets_walls(d))
-        error->all(
-            FLERR,
-            "Fix lb/ibb: face {} is parabolic and lies between no two walls: make a direction "
-            "along it walls on both sides, or the velocity uniform",
-            FACE[d][side]);
-      for (int other = d + 1; other < domain->dimension; other++)
-        for (int s = 0; s < 2; s++)
-          if (open(d, side) && open(other, s))
-            error->all(FLERR,
-                       "Fix lb/ibb: open faces {} and {} meet in an edge, where the flow is "
-                       "undefined: make one direction periodic or walls",
-                       FACE[d][side], FACE[other][s]);
-    }
-  }
-}
-
-// Where no pressure face lets the fluid leave as it likes, what enters must leave: otherwise the
-// density would rise or fall without end. Variables are the user's affair.
-void LBOptionsParser::check_flux(int d) const
-{
-  const LBFace &lo = o.face[d][0], &hi = o.face[d][1];
-  auto given = [&](const LBFace &f) {
-    return (f.kind == FaceKind::WALL || f.kind == FaceKind::VELOCITY) && f.u[d].variable.empty();
-  };
-  if (given(lo) && given(hi) && lo.u[d].constant != hi.u[d].constant)
-    error->all(FLERR,
-               "Fix lb/ibb: faces {} and {} contradict each other: the fluid moves with {} through "
-               "one and {} through the other: make them equal, or one a pressure face",
-               FACE[d][0], FACE[d][1], lo.u[d].constant, hi.u[d].constant);
-  if (given(lo) && given(hi) && lo.u[d].constant != 0.0 && lo.parabolic != hi.parabolic)
-    error->all(FLERR,
-               "Fix lb/ibb: of faces {} and {} one is parabolic and lets less through than the "
-               "other: make both parabolic, or one a pressure face",
-               FACE[d][0], FACE[d][1]);
-}
-
-// are there walls at both ends of a direction along this face?
-bool LBOptionsParser::meets_walls(int d) const
-{
-  for (int t = 0; t < domain->dimension; t++)
-    if (t != d && o.face[t][0].kind == FaceKind::WALL && o.face[t][1].kind == FaceKind::WALL)
-      return true;
-  return false;
 }
 
 // ---------------------------------------------------------------------- words and numbers

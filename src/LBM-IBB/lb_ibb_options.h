@@ -49,13 +49,15 @@ struct LBObstacle {
 struct LBOptions {
   double dx = 0.0, nu = 0.0, rho = 0.0;
   int every = 1, check = 100;
-  bool bgk = false, regularised = false, single = false, average = true, conserve = true, calibrated = false;
+  bool bgk = false, regularised = false, single = false, average = true, conserve = true,
+       calibrated = false;
   enum { AUTO, EXPLICIT, IMPLICIT } coupling = AUTO;
   bool has_gradp = false, has_buoyancy = false;
   double magic = 3.0 / 16.0, shrink = 0.0;
   lbm::LinkRule link = lbm::LinkRule::CLI;
   lbm::RefillRule refill = lbm::RefillRule::GRAD;
   LBFace face[3][2];
+  static constexpr const char *FACES[3][2] = {{"xlo", "xhi"}, {"ylo", "yhi"}, {"zlo", "zhi"}};
   LBVector accel, gradp, buoyancy;
   const char *link_name() const { return LINKS[int(link)]; }
   static constexpr const char *LINKS[] = {"halfway", "bouzidi", "cli", "zhao"};
@@ -77,10 +79,12 @@ class LBOptionsParser : protected Pointers {
   void keyword();
   void face();
   void obstacle();
+  // in lb_ibb_options_check.cpp
   void check_faces() const;
   void check_radius() const;
   void check_flux(int d) const;
   bool meets_walls(int d) const;
+
   [[noreturn]] void refuse(int at, const std::string &why) const;
   const char *next(const std::string &what);
   double number(const std::string &what);

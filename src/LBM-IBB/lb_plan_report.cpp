@@ -63,7 +63,7 @@ lbm::Pace LBPlan::pace(const lbm::Advice &advice, const lbm::Int3 &n)
   sample.radius = wish.mean / advice.units.dx;
   sample.fraction = std::max(0.05, wish.fraction);
   sample.moving = moving;
-  std::array<std::array<int, 2>, 3> rank;
+  std::array<std::array<int, 2>, 3> rank{};
   rank.fill({comm->me, comm->me});
   rank[wish.dimension - 1] = {(comm->me + comm->nprocs - 1) % comm->nprocs,
                               (comm->me + 1) % comm->nprocs};

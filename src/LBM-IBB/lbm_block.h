@@ -33,7 +33,7 @@ using Vec3 = std::array<double, 3>;
 
 // nodes of the block, both corners among them
 struct Region {
-  Int3 lo, hi;
+  Int3 lo{}, hi{};
   bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
 };
 

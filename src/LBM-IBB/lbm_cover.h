@@ -73,7 +73,7 @@ class Cover {
   Sides sides_;
   const Obstacles *obstacles_;
   std::size_t first_obstacle_ = 0;
-  Int3 lo_, hi_;    // nodes that may be covered: owned ones and ghosts with a neighbour behind
+  Int3 lo_{}, hi_{};    // nodes that may be covered: owned ones and ghosts with a neighbour behind
   std::vector<Sphere> spheres_;
   std::vector<Vec3> centres_;
   std::vector<Rows> rows_;
@@ -81,7 +81,7 @@ class Cover {
   // rows are read in pieces of 64, and up to 144 nodes ahead
   static constexpr int READ_PAST = 192;
   std::vector<int32_t> map_;
-  bool open_;                   // is any ghost behind an open face?
+  bool open_;    // is any ghost behind an open face?
 
   void find_rows(const Sphere &sphere, const Vec3 &c);
   void clear();

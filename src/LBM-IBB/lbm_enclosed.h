@@ -40,7 +40,7 @@ template <class L> class Enclosed {
   double sets_ = 0.0, nodes_ = 0.0;
   // those whose density is kept, in the same order on all blocks, with the nodes of this one
   struct Set {
-    bool shared;    // between blocks
+    bool shared = false;    // between blocks
     std::vector<uint32_t> nodes;
   };
   std::vector<Set> held_;

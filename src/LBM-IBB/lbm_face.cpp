@@ -17,6 +17,24 @@ namespace {
 
 }    // namespace
 
+AtEnd ends(const Layout &at, const Int3 &global, const Faces &faces)
+{
+  AtEnd end{};
+  for (int d = 0; d < 3; d++) {
+    end[d][0] = at.lo[d] == 0 && faces[d][0].kind != FaceKind::PERIODIC;
+    end[d][1] = at.lo[d] + at.n[d] == global[d] && faces[d][1].kind != FaceKind::PERIODIC;
+  }
+  return end;
+}
+
+bool any_open(const Faces &faces)
+{
+  for (const auto &pair : faces)
+    for (const Face &face : pair)
+      if (face.open()) return true;
+  return false;
+}
+
 template <class L>
 void bounce_at_walls(const Layout &at, const Slots<L> &f, const Faces &faces, const AtEnd &at_end)
 {

@@ -29,6 +29,8 @@ using Faces = std::array<std::array<Face, 2>, 3>;
 
 // [d][side]: does the block reach this face of the box, and is it not periodic?
 using AtEnd = std::array<std::array<bool, 2>, 3>;
+AtEnd ends(const Layout &at, const Int3 &global, const Faces &faces);
+bool any_open(const Faces &faces);
 
 // Half-way bounce-back with wall velocity (Ladd 1994): f_o(x_f) = f*_i(x_f) - 6 w_i e_i.u_w for all
 // directions i through a wall; a direction through the edge of two walls feels the velocity of

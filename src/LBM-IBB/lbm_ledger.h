@@ -45,7 +45,7 @@ struct Ledger {
   static constexpr int SIZE = ACCOUNTS + 2;
   std::array<double, SIZE> numbers() const
   {
-    std::array<double, SIZE> all;
+    std::array<double, SIZE> all{};
     for (int k = 0; k < ACCOUNTS; k++) all[k] = excess[k];
     all[ACCOUNTS] = covered;
     all[ACCOUNTS + 1] = uncovered;

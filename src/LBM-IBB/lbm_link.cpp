@@ -137,7 +137,7 @@ namespace {
     const bool obstacle, open_faces;
     Links &links;
     const std::size_t first_hidden;
-    Int3 lo, hi;
+    Int3 lo{}, hi{};
     int x0 = 0;    // node of bit 0
     std::vector<std::size_t> at_open_face;
 

@@ -98,7 +98,7 @@ class Decoder {
 // n numbers, less than a pack, filled with copies of the first: links that are treated alike. Reads
 // a whole pack.
 template <class T, int W = SIMD_WIDTH> struct Tail {
-  T p[W];
+  T p[W] = {};
   Tail(const T *all, int n)
   {
     using V = Pack<W, T>;

@@ -58,7 +58,7 @@ class Type {
   MPI_Datatype handle() const { return type_; }
 
  private:
-  MPI_Datatype type_;
+  MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
 // a file that is closed in any case, and whose first error is kept

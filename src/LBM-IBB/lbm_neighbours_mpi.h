@@ -29,7 +29,7 @@ class MpiNeighbours : public Neighbours {
 
  private:
   MPI_Comm comm_;
-  int me_;
+  int me_ = 0;
   std::array<std::array<int, 2>, 3> rank_;
 };
 

@@ -150,7 +150,7 @@ template <class L> class Obstacles::Search {
       const int32_t k = owner_at(p, L::e[i]);
       if (k >= 0)
         add_link(p, n, i, k);
-      else if (known(p, L::e[i]) && i <= L::P && dot(L::e[i], axis_of(i)) == 1.0)
+      else if (i <= L::P && known(p, L::e[i]) && dot(L::e[i], axis_of(i)) == 1.0)
         look_between(p, L::e[i]);
     }
   }
@@ -246,13 +246,13 @@ template <class L> class Obstacles::Search {
   {
     const double length = std::sqrt(dot(normal, normal));
     if (length < 1e-6) return 0.0;
-    double sum = 0.0;
+    int steps = 0;    // both ways
     for (double way : {-STEP / length, STEP / length})
-      for (int s = 1; sum < THICK; s++, sum += STEP) {
+      for (int s = 1; steps * STEP < THICK; s++, steps++) {
         const Vec3 y = added(x, way * s, normal);
         if (in_box(y) && !inside_any(y)) break;
       }
-    return sum;
+    return steps * STEP;
   }
 };
 

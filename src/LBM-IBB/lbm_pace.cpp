@@ -30,7 +30,7 @@ namespace {
       return seconds;
     };
     timed(2);    // memory is touched for the first time, by steps of both parities
-    std::array<double, PARTS> parts;    // the median, as others may use the machine for a moment
+    std::array<double, PARTS> parts{};    // the median, as others may use the machine for a moment
     const int times = int(std::clamp(BUDGET / PARTS / timed(1), 1.0, 400.0));
     for (double &part : parts) part = timed(times);
     std::sort(parts.begin(), parts.end());

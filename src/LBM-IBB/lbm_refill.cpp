@@ -134,7 +134,7 @@ namespace {
       }
     }
     const Eigen::Matrix3d P = -tau / 3.0 * (gradient + gradient.transpose());
-    std::array<double, L::Q> beyond;
+    std::array<double, L::Q> beyond{};
     for (int i = 0; i < L::Q; i++) {
       const Eigen::Vector3d e(L::e[i][0], L::e[i][1], L::e[i][2]);
       beyond[i] = 4.5 * L::w[i] * (1.0 + m.drho) * (e.dot(P * e) - P.trace() / 3.0);
@@ -185,54 +185,7 @@ namespace {
     return weight > 0.0;
   }
 
-  // f(s, node, n): the owned nodes that sphere s covers in a, and none in b, which may be null
-  template <class F>
-  void for_each_in_first_alone(const Layout &at, const Cover &a, const Cover *b, F &&f)
-  {
-    for (std::size_t s = 0; s < a.spheres().size(); s++) {
-      const Rows &rows = a.rows(s);
-      // most likely the same sphere, and in any case one whose nodes need no look
-      const Rows *same = b && s < b->spheres().size() ? &b->rows(s) : nullptr;
-      for (int z = std::max(rows.z0, 0); z <= std::min(rows.z1, at.n[2] - 1); z++)
-        for (int y = std::max(rows.y0, 0); y <= std::min(rows.y1, at.n[1] - 1); y++) {
-          const Run run = a.run(rows, y, z);
-          const Index row = at.index(0, y, z);
-          const auto look = [&](int xa, int xb) {
-            for (int x = std::max(xa, 0); x <= std::min(xb, at.n[0] - 1); x++)
-              if (a.owner()[row + x] == int32_t(s) && (!b || b->owner()[row + x] < 0))
-                f(s, Int3{x, y, z}, row + x);
-          };
-          Run both{1, 0};
-          if (same && same->contains(y, z)) both = b->run(*same, y, z);
-          if (both.xa > both.xb) {
-            look(run.xa, run.xb);
-          } else {
-            look(run.xa, std::min(run.xb, both.xa - 1));
-            look(std::max(run.xa, both.xb + 1), run.xb);
-          }
-        }
-    }
-  }
-
 }    // namespace
-
-std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now)
-{
-  std::vector<Uncovered> list;
-  for_each_in_first_alone(at, before, &now, [&](std::size_t s, const Int3 &p, Index n) {
-    list.push_back({p, n, int32_t(s)});
-  });
-  return list;
-}
-
-std::vector<Index> find_covered(const Layout &at, const Cover *before, const Cover &now)
-{
-  std::vector<Index> list;
-  for_each_in_first_alone(at, now, before, [&](std::size_t, const Int3 &, Index n) {
-    list.push_back(n);
-  });
-  return list;
-}
 
 template <class L> double excess_in(const Slots<L> &f, const std::vector<Index> &nodes)
 {

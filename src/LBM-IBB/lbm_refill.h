@@ -14,7 +14,7 @@
 #ifndef LBM_REFILL_H
 #define LBM_REFILL_H
 
-#include "lbm_cover.h"
+#include "lbm_covers.h"
 #include "lbm_neighbours.h"
 
 namespace lbm {
@@ -27,16 +27,6 @@ struct RefillCount {
       equilibrium = 0, deep = 0;
 };
 
-// owned nodes covered before and not now
-struct Uncovered {
-  Int3 p;
-  Index n;
-  int32_t sphere;    // in before.spheres()
-};
-std::vector<Uncovered> find_uncovered(const Layout &at, const Cover &before, const Cover &now);
-
-// owned nodes that spheres cover now and did not before; if before is null nothing was covered
-std::vector<Index> find_covered(const Layout &at, const Cover *before, const Cover &now);
 // density excess of nodes, summed
 template <class L> double excess_in(const Slots<L> &f, const std::vector<Index> &nodes);
 

@@ -13,11 +13,11 @@ namespace lbm {
 // A sphere (a disc in two dimensions) or one periodic image of it. Node (i, j, k) of the whole
 // lattice sits at (i + 1/2, j + 1/2, k + 1/2): cell centres, origin at the corner of the box.
 struct Sphere {
-  std::int64_t id;    // the same for all images of a grain
-  Vec3 centre;        // snapped by snap(), so that all images cover exactly the same nodes
-  double radius;
-  Vec3 velocity;
-  Vec3 spin;    // angular velocity
+  std::int64_t id = 0;    // the same for all images of a grain
+  Vec3 centre{};          // snapped by snap(), so that all images cover exactly the same nodes
+  double radius = 0.0;
+  Vec3 velocity{};
+  Vec3 spin{};    // angular velocity
   // mean density excess around it: of its Load in the former step, summed over ranks and images
   double drho = 0.0;
   // mass to give back, shared by its links as their weights: see refund()

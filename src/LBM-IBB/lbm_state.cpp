@@ -60,7 +60,7 @@ void take(const Layout &at, const Slots<L> &f, const Part &part, const typename 
 // odd factors, so that no change of a single value goes unseen
 template <class L> std::uint64_t checksum(const Layout &at, const Slots<L> &f, const Int3 &global)
 {
-  std::uint64_t factor[L::Q], sum = 0;
+  std::uint64_t factor[L::Q] = {}, sum = 0;
   for (int i = 0; i < L::Q; i++) factor[i] = mix(GOLDEN * (i + 1)) | 1;
   for (int z = 0; z < at.n[2]; z++)
     for (int y = 0; y < at.n[1]; y++) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 
 namespace lbm {
 namespace {
@@ -68,6 +69,13 @@ namespace {
     MPI_Type_free(&block);
   }
 
+  // every member is of 4 or 8 bytes and in its place: no bytes lie between them
+  std::string_view bytes_of(const StateHeader &header)
+  {
+    static_assert(sizeof(StateHeader) == 8 + 6 * 4 + (8 + Ledger::SIZE + 3) * 8);
+    return {reinterpret_cast<const char *>(&header), sizeof header};
+  }
+
   // why a header is not the expected one
   std::string difference(const StateHeader &found, const StateHeader &expected)
   {
@@ -93,7 +101,7 @@ namespace {
     if (found.checksum != expected.checksum || found.spheres != expected.spheres)
       return "its checksum is not that which the restart file names: it is of another run, or "
              "damaged";
-    if (std::memcmp(&found, &expected, sizeof found) != 0) return "its head is damaged";
+    if (bytes_of(found) != bytes_of(expected)) return "its head is damaged";
     return "";
   }
 
@@ -182,6 +190,7 @@ std::string read_state(const std::string &name, Fluid &fluid, const StateHeader 
   file.keep(code, status, std::int64_t(sizeof(Trace)) * h.spheres);
 
   std::vector<Sphere> grains;
+  grains.reserve(traces.size());
   for (const Trace &trace : traces) grains.push_back(trace.sphere());
 
   const std::int64_t bytes = bytes_of_node(h);

@@ -30,8 +30,8 @@ struct Solids {
 // gets the same small mass, at rest, see Ledger::RESTORED
 struct MovingSolids {
   static constexpr bool present = true, keep_density = true;
-  const int32_t *owner;
-  float *drho;
+  const int32_t *owner = nullptr;
+  float *drho = nullptr;
   double gain = 0.0;
   template <int W> bool any_fluid(Index n) const { return any_negative<W>(owner + n); }
 };

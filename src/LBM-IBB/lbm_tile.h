@@ -30,7 +30,7 @@ class Tiles {
   template <class F> void for_each_behind(const Region &region, F &&f) const;
 
  private:
-  Int3 n_, size_, parts_;
+  Int3 n_, size_, parts_{};
   Region inner_;
   std::vector<Region> shell_;
 };

@@ -133,12 +133,15 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
       V x[3];
       decode(load<PackInt<W>>(node), x);    // the last pack may end with links of the next group
       const V c4 = Rule::template at<V>(load<V>(&links.q[k])).c4;
-      double less[W];
+      double less[W] = {};
       store(less, 3.0 * L::w[i] * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
+      const auto take = [&](int l) LBM_INLINE {
+        back[node[l]] = typename L::Real(back[node[l]] - less[l]);
+      };
       if (k + W <= group.end)
-        for (int l = 0; l < W; l++) back[node[l]] -= less[l];
+        for (int l = 0; l < W; l++) take(l);
       else
-        for (std::size_t l = 0; l < group.end - k; l++) back[node[l]] -= less[l];
+        for (int l = 0; l < int(group.end - k); l++) take(l);
     }
   }
 }

@@ -38,7 +38,7 @@ struct Taken {
 // follows from them as (arm x e).e = 0.
 struct Turn {
   int first, second, third;
-  double of[2][3], with[2];    // the third one is with[0] s + with[1] t
+  double of[2][3] = {}, with[2] = {};    // the third one is with[0] s + with[1] t
   explicit Turn(const int (&e)[3])
   {
     third = e[0] ? 0 : e[1] ? 1 : 2;

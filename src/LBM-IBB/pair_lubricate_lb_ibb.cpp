@@ -165,13 +165,12 @@ void PairLubricateLbIbb::settings(int narg, char **arg)
       with_walls = utils::logical(FLERR, arg[k + 1], false, lmp);
       continue;
     }
-    double *cells = strcmp(arg[k], "normal") == 0 ? &normal_cells
-        : strcmp(arg[k], "shear") == 0            ? &shear_cells
-                                                  : nullptr;
-    if (!cells)
+    const bool normal = strcmp(arg[k], "normal") == 0;
+    if (!normal && strcmp(arg[k], "shear") != 0)
       error->all(FLERR, "{}: unknown keyword {}, known are normal, shear and walls", STYLE, arg[k]);
-    *cells = utils::numeric(FLERR, arg[k + 1], false, lmp);
-    if (!(*cells >= 0.0 && *cells <= 3.0))
+    double &cells = normal ? normal_cells : shear_cells;
+    cells = utils::numeric(FLERR, arg[k + 1], false, lmp);
+    if (!(cells >= 0.0 && cells <= 3.0))
       error->all(FLERR, "{}: cut-off {} {} is not between 0 and 3 cells", STYLE, arg[k],
                  arg[k + 1]);
   }

@@ -203,6 +203,20 @@ TEST_F(Clumps, TwoSpheresAtOnePlaceAreOne)
     EXPECT_NEAR(total[1][d], total[0][d], 1e-13 * std::fabs(total[0][2])) << d;
 }
 
+// a sphere that changes between two parts of a run, the number of atoms being the same: buoyancy is
+// that of the union then
+TEST_F(Clumps, VolumeFollowsRadii)
+{
+  const double outer = 3.2, inner = 2.2, g = 9.81;
+  script(box({14, 13, 12}) + grain(1, {6.3, 6.1, 5.9}, outer) + grain(2, {6.3, 6.1, 5.9}, outer) +
+         fluid("every 4 buoyancy 0 0 " + num(-g)) + COLD +
+         "\nfix b all rigid single force 1 off off off torque 1 off off off" + run(2) +
+         "\nset atom 1 diameter " + num(2.0 * inner * DX) + "\nrun 4 pre no post no");
+  double lift = 0.0;    // the loads are those of step 4, as are the forces in f
+  for (int i = 1; i <= 2; i++) lift += f(i)[2] - load(i)[2];
+  EXPECT_NEAR(lift, RHO * g * grain_volume(outer), 1e-9 * lift);
+}
+
 // as bodies in motion: a sphere made of two half as heavy falls, drifts and turns as one
 TEST_F(Clumps, TwoSpheresAtOnePlaceMoveAsOne)
 {

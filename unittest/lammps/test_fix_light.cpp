@@ -203,3 +203,23 @@ TEST_F(Light, FrozenOnesAreWalls)
   };
   EXPECT_EQ(drag("implicit"), drag("explicit"));
 }
+
+// a grain that becomes light between two parts of a run, their number being the same: it is coupled
+// implicitly, and ends as one that was light from the start
+TEST_F(Light, GrainThatBecomesLightInARun)
+{
+  const double ratio = 0.02;
+  double end[2];
+  for (const bool from_start : {true, false}) {
+    start();
+    const std::string scene = in_duct(false);
+    script(scene + ball_of(from_start ? ratio : 5.0, {9.1, 4.3, 8.8}) + integrator() +
+           "\nfix push all addforce 0 " + num(newton()) + " 0" + fluid(duct()) + run(1));
+    EXPECT_EQ(lmp->modify->get_fix_by_id("w_LIGHT") != nullptr, from_start);
+    script("set atom 1 density " + num(ratio * RHO) + "\nrun " + std::to_string(long_enough()) +
+           " pre no post no");
+    EXPECT_NE(lmp->modify->get_fix_by_id("w_LIGHT"), nullptr);
+    end[from_start] = speed();
+  }
+  EXPECT_NEAR(end[0], end[1], 0.01 * end[1]);
+}
