@@ -71,7 +71,7 @@ class Point:
     def __post_init__(self):    # two ranks where a run takes seconds
         if (os.cpu_count() or 1) > 1 and self.updates / len(self.runs) > 1e8:
             for run in self.runs:
-                run.ranks = 1 if run.script.startswith("bench/") else 2
+                run.ranks = 1 if run.script.startswith(("bench/", "accuracy/in.lb_fluid")) else 2
 
     def importance(self):
         """0 first: the default, then what it does at other tau and with corrected radii, then the other rules"""

@@ -5,7 +5,8 @@
 //     r1 = f*_i(x_f)    r2 = f*_i(x_f')    r3 = f*_o(x_f)
 //     f_o(x_f, t+1) = c1 r1 + c2 r2 + c3 r3 - c4 (3 w_i rho e_i.u_w)
 // c1 + c2 + c3 = 1 in every rule, so deviations f - w need no correction. To add a rule: write a
-// struct like these, instantiate it in lbm_exchange.cpp and register it in lbm_solver.cpp.
+// struct like these, instantiate it in lbm_exchange.cpp and in lbm_yield.cpp, choose it in
+// lbm_link_pass.cpp.
 
 #ifndef LBM_BOUNCE_BACK_H
 #define LBM_BOUNCE_BACK_H
