@@ -82,12 +82,13 @@ void Links::trim()
   gaps.trim();
   hidden.shrink_to_fit();
   bits = {};
+  spans = {};
 }
 
 double Links::bytes() const
 {
   return held(q) + held(node) + held(groups) + gaps.bytes() + held(pockets) + held(hidden) +
-      held(bits);
+      held(bits) + held(spans);
 }
 
 Region nodes_with_links(const Cover &cover, std::size_t s)

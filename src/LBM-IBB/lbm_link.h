@@ -65,7 +65,12 @@ struct Links {
   Gaps gaps;
   std::vector<uint32_t> pockets;    // fluid nodes, all neighbours but one covered or behind walls
   std::vector<Hidden> hidden;
-  std::vector<Bits> bits;    // scratch of find_links()
+  // scratch of find_links(): rows of nodes; the first and last in a layer with nodes of the sphere
+  struct Span {
+    int first, last;
+  };
+  std::vector<Bits> bits;
+  std::vector<Span> spans;
 
   void clear();     // all but the pockets, which wait for the links of all spheres
   void settle();    // all have bounced back; groups alone are kept

@@ -60,13 +60,27 @@ namespace {
       return links.bits[(y - lo[1] + 1) + std::size_t(z - lo[2] + 1) * (hi[1] - lo[1] + 3)];
     }
 
+    // of the layer, within the rows looked at
+    Links::Span span(int z, int shift) const
+    {
+      const Links::Span &all = links.spans[z - lo[2] + 1];
+      return {std::max(all.first + shift, lo[1]), std::min(all.last + shift, hi[1])};
+    }
+
     void read_bits()
     {
       links.bits.resize(std::size_t(hi[1] - lo[1] + 3) * (hi[2] - lo[2] + 3));
+      links.spans.resize(hi[2] - lo[2] + 3);
       const int gz = L::D == 3 ? 1 : 0;
-      for (int z = lo[2] - gz; z <= hi[2] + gz; z++)
-        for (int y = lo[1] - 1; y <= hi[1] + 1; y++)
-          bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s));
+      for (int z = lo[2] - gz; z <= hi[2] + gz; z++) {
+        Links::Span &span = links.spans[z - lo[2] + 1];
+        span = {hi[1] + 2, lo[1] - 2};
+        for (int y = lo[1] - 1; y <= hi[1] + 1; y++) {
+          const Bits row = bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s));
+          span.first = row.equal ? std::min(span.first, y) : span.first;
+          span.last = row.equal ? y : span.last;
+        }
+      }
     }
 
     // Nodes with one fluid neighbour at most. Each is found once: with the sphere that covers its
@@ -84,7 +98,7 @@ namespace {
             (p >= at.n[d] && cover.behind(d, 1) == Cover::WALL);
       };
       for (int z = lo[2]; z <= hi[2]; z++)
-        for (int y = lo[1]; y <= hi[1]; y++) {
+        for (int y = span(z, 0).first; y <= span(z, 0).last; y++) {
           const Bits &here = bits(y, z);
           const auto fluid = [&](int dy, int dz) {
             if (walled(1, y + dy) || walled(2, z + dz)) return uint64_t(0);
@@ -153,11 +167,13 @@ namespace {
       const int(&e)[3] = L::e[i];
       const uint64_t window = this->window();
       for (int z = lo[2]; z <= hi[2]; z++) {
-        const Bits *here = &bits(lo[1], z), *ahead = &bits(lo[1] + e[1], z + e[2]),
-                   *behind = &bits(lo[1] - e[1], z - e[2]);
-        make_room(std::size_t(hi[1] - lo[1] + 1) * 62);
-        int32_t row = int32_t(at.index(x0, lo[1], z)), *end = &links.node[links.size];
-        for (int y = lo[1]; y <= hi[1]; y++, here++, ahead++, behind++, row += at.stride_y) {
+        const auto [first, last] = span(z + e[2], -e[1]);
+        if (first > last) continue;
+        const Bits *here = &bits(first, z), *ahead = &bits(first + e[1], z + e[2]),
+                   *behind = &bits(first - e[1], z - e[2]);
+        make_room(std::size_t(last - first + 1) * 62);
+        int32_t row = int32_t(at.index(x0, first, z)), *end = &links.node[links.size];
+        for (int y = first; y <= last; y++, here++, ahead++, behind++, row += at.stride_y) {
           const uint64_t found = window & ~here->equal & seen_from<ex>(ahead->equal);
           const uint64_t fluid = found & here->negative;
           const uint64_t free = fluid & seen_from<-ex>(behind->negative);
