@@ -60,8 +60,11 @@ std::vector<lbm::Shape> FixLbIbb::shapes()
     const double lo[3] = {region->extent_xlo, region->extent_ylo, region->extent_zlo};
     const double hi[3] = {region->extent_xhi, region->extent_yhi, region->extent_zhi};
     for (int d = 0; d < domain->dimension; d++) {
-      const double middle = region->bboxflag ? 0.5 * (lo[d] + hi[d])
-                                             : 0.5 * (domain->boxlo[d] + domain->boxhi[d]);
+      // sides at INF, 1e20 or 1e200 as LAMMPS's versions have it, count as those of the box
+      const bool from = region->bboxflag && std::fabs(lo[d]) < 1e20;
+      const bool to = region->bboxflag && std::fabs(hi[d]) < 1e20;
+      const double middle =
+          0.5 * ((from ? lo[d] : domain->boxlo[d]) + (to ? hi[d] : domain->boxhi[d]));
       shape.velocity[d] = o.velocity[d] / units.velocity();
       shape.about[d] = ((o.has_about ? o.about[d] : middle) - domain->boxlo[d]) / options.dx;
     }

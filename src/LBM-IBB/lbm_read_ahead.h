@@ -8,6 +8,7 @@
 #include "lbm_link.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace lbm {
 

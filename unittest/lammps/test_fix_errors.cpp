@@ -143,6 +143,8 @@ TEST_F(Refusals, RelaxationTime)
   start();
   EXPECT_IN(log_of(scene + "1e-2" + run(0)),
             "tau = 3.5 is large: accuracy is lost above 3; reduce");
+  start();    // three, but for the rounding of the step
+  EXPECT_NOT_IN(log_of(scene + "8.3333333334e-3" + run(0)), "is large");
 }
 
 TEST_F(Refusals, PressureAndSpeedAtTheFaces)

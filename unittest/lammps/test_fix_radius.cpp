@@ -80,8 +80,6 @@ TEST_F(Radius, WithoutATableThatFitsIsRefused)
             std::string::npos);
   EXPECT_NE(refusal("radius calibrated collision trt 0.25").find("the table is of collision trt"),
             std::string::npos);
-  EXPECT_NE(refusal("radius calibrated link halfway").find("has no line of link halfway"),
-            std::string::npos);
   const std::string folders = std::getenv("LAMMPS_POTENTIALS");
   setenv("LAMMPS_POTENTIALS", "/nowhere", 1);
   EXPECT_NE(refusal("radius calibrated")
@@ -93,6 +91,8 @@ TEST_F(Radius, WithoutATableThatFitsIsRefused)
     file << "bouzidi 0.6 3.0 0.05\nbouzidi 1.0 3.0 0.1 # a remark\n";
   }
   EXPECT_EQ(refusal("radius calibrated link bouzidi"), "");    // tau = 0.8
+  EXPECT_NE(refusal("radius calibrated link halfway").find("has no line of link halfway"),
+            std::string::npos);
   EXPECT_NE(refusal("radius calibrated link bouzidi every 8")
                 .find("tau = 2.9, but file lbm-ibb.radius has link bouzidi from 0.6 to 1 alone"),
             std::string::npos);
