@@ -22,7 +22,7 @@ cd "$folder"
 
 flags=(-std=c++17 "-march=$arch" "$@"
   -I "$root/src/LBM-IBB" -I "$root/unittest/testing")
-printf '%s\n' "$root"/src/LBM-IBB/lbm_*.cpp "$root"/unittest/core/test_{reference,lattice,planes,pockets}.cpp \
+printf '%s\n' "$root"/src/LBM-IBB/lbm_*.cpp "$root"/unittest/core/test_{reference,lattice,simd,planes,pockets}.cpp \
   "$root/unittest/testing/main.cpp" |
   xargs -P 2 -I{} mpicxx "${flags[@]}" -c {}
 mpicxx ./*.o -o core -lgtest

@@ -58,9 +58,9 @@ for input in "${inputs[@]}"; do
   example=$(basename "$(dirname "$input")") script=$(basename "$input")
   name=$example/$script
   for ranks in 1 4; do
-    rm -rf "${folder:?}/$example"
-    cp -r "$root/examples/$example" "$folder/$example"
-    cd "$folder/$example"
+    rm -rf "${folder:?}/examples"
+    cp -r "$root/examples" "$folder/examples"    # all: some read a file of another
+    cd "$folder/examples/$example"
     printf 'timer timeout 0:00:%02d every 10\ninclude %s\n' "$seconds" "$script" > in.short
     # LAMMPS may find results missing after a run that was cut short: only reports count
     mpirun -np $ranks "$build/lmp" -in in.short -log none > log 2>&1 </dev/null || true
@@ -69,12 +69,12 @@ for input in "${inputs[@]}"; do
       status=1
     elif ! grep -aqE 'fluid steps, |Fix lb/ibb: |lb/plan: ' log; then
       echo "$name on $ranks ranks: no fluid step"
-      tail -n 5 log
+      grep -aA 1 ERROR log || tail -n 5 log
       status=1
     else
       echo "$name on $ranks ranks: $(grep -aoE '[0-9]+ fluid steps' log | tail -n 1), clean"
     fi
   done
-  rm -rf "${folder:?}/$example"
 done
+rm -rf "${folder:?}/examples"
 exit $status

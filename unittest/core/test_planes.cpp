@@ -47,7 +47,9 @@ template <class L, class Rule> class Channel {
   Channel(const Shape &shape, double tau, bool bgk) :
       shape(shape), tau(tau), collide(bgk ? Trt<L>::bgk(tau) : Trt<L>::trt(tau, 3.0 / 16.0)),
       at(make_layout(shape)), block(at), neighbours({true, true, true}), halo(at, neighbours),
-      cover(at, L::D, Cover::Sides{}), owner(at.size, FLUID), drho(at.size, 0.0F)
+      cover(at, L::D, Cover::Sides{}),
+      owner(at.size + at.stride_y + AHEAD<L>, FLUID),    // sweeps read ahead
+      drho(at.size, 0.0F)
   {
     lay_links();
   }
