@@ -23,7 +23,7 @@ def error(row):
 
 
 def of(table, case):
-    return [row for row in table if row["case"] == case and row["quantity"] == MAIN[case]
+    return [row for row in table if row["case"] == case and row["quantity"] == MAIN.get(case, "drag")
             and not math.isnan(error(row))]
 
 
