@@ -72,6 +72,7 @@ def cost(table, out):
 def peer(table, out):
     """arrays, fixed and moving, by LAMMPS's own fix lb/fluid too, against core seconds of whole processes"""
     figure, axes = plt.subplots(2, 2, figsize=(10, 7.4))
+    shown = {}
     for column, phi in enumerate(("0.125", "0.45")):
         for ax, mine, other, cost in zip(axes[:, column], (f"array_{phi}", f"moving_array_{phi}"),
                                          (f"lb_fluid_{phi}", f"moving_array_{phi}"),
@@ -85,15 +86,16 @@ def peer(table, out):
             for name, rows in kinds.items():
                 if rows:
                     rows = sorted(rows, key=lambda r: number(r, "r_over_dx"))
-                    line, = ax.loglog([number(r, "cpu_s") for r in rows], [100 * error(r) for r in rows], "o-", ms=4,
-                                      color=PEERS.get(name), label=name)
+                    shown[name], = ax.loglog([number(r, "cpu_s") for r in rows], [100 * error(r) for r in rows], "o-", ms=4,
+                                             color=PEERS.get(name))
                     if mine != f"array_{phi}":
                         ax.loglog([number(r, "cpu_s") for r in rows], [100 * number(r, "scatter") for r in rows], ":",
-                                  color=line.get_color(), lw=1)
+                                  color=shown[name].get_color(), lw=1)
             ax.set_title(("moving " if mine == other else "fixed ") + TITLE[f"array_{phi}"], fontsize=9)
             ax.set_xlabel(f"core seconds for {cost}")
-            ax.set_ylabel("error with scatter, scatter alone dotted (%)" if mine == other else "error and scatter (%)")
-            ax.legend(fontsize=7)
+            ax.set_ylabel("error and fluctuation; it alone dotted (%)" if mine == other else "error and scatter (%)")
+    figure.legend(shown.values(), shown.keys(), loc="lower center", ncol=4, fontsize=8, frameon=False)
+    figure.tight_layout(rect=(0, 0.06, 1, 1))
     save(figure, out, "peer")
 
 
@@ -222,7 +224,7 @@ def small(table, out):
 
 
 def save(figure, out, name):
-    if not figure.get_layout_engine() and name != "cost":
+    if not figure.get_layout_engine() and name not in ("cost", "peer"):
         figure.tight_layout()
     figure.savefig(out / f"accuracy_{name}.png", dpi=90)
     plt.close(figure)
