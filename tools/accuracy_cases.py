@@ -399,7 +399,7 @@ def moving_array(phi, cells, tau=2.0, sweep="dx", shell=None, **choice):
 
 def lb_fluids(quick):
     if quick:    # those for which lmp needs no other package
-        return [moving_array(0.125, 8)]
+        return [moving_array(0.125, n) for n in (8, 13)]
     fine = {0.125: (8, 13, 20), 0.45: (6, 10, 16)}
     points = [lb_fluid(0.125, n, stencil) for stencil in (2, 4) for n in (8, 13, 20) if stencil == 2 or n < 20] + \
         [lb_fluid(0.125, n, 2, 0.4) for n in (8, 13, 20)] + \
