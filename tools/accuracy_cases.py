@@ -358,7 +358,14 @@ def impacts(quick):
         [impact(n, n // 2, 1.0, "steps_per_contact") for n in (10, 20, 40, 100, 200, 400)]
 
 
-# ---- LAMMPS's own fix lb/fluid on the arrays
+# ---- LAMMPS's own fix lb/fluid on the arrays, fixed, and moving beside our own
+
+SHELLS = ((2, 0.4), (3, 0.5), (4, 0.15))    # stencil, and how far inside the points fit drag at .125 best at tau = 1
+
+
+def peer(stencil, less):
+    return {"collision": "lb/fluid", "link": f"stencil {stencil} less {less:g}", "refill": "-", "average": "-"}
+
 
 def lb_fluid(phi, cells, stencil, less=0.0, places=8):
     r = cells * (0.75 * phi / PI)**(1 / 3)
@@ -369,17 +376,44 @@ def lb_fluid(phi, cells, stencil, less=0.0, places=8):
 
     run = Run("accuracy/in.lb_fluid", {"phi": phi, "cells": cells, "stencil": stencil, "less": less, "places": places})
     steps = 0.4 * cells**2 * 6
-    return Point(f"lb_fluid_{phi:g}", f"stencil_{stencil}_less_{less:g}", [run], evaluate, r, 1.0,
-                 {"collision": "lb/fluid", "link": f"stencil {stencil} less {less:g}", "refill": "-", "average": "-"},
+    return Point(f"lb_fluid_{phi:g}", f"stencil_{stencil}_less_{less:g}", [run], evaluate, r, 1.0, peer(stencil, less),
                  20 * places * steps * cells**3)
 
 
+def moving_array(phi, cells, tau=2.0, sweep="dx", shell=None, **choice):
+    """scatter: while the spheres cross the lattice; shell: (stencil, less) of lb/fluid"""
+    choice = choose(**choice)
+    r = cells * (0.75 * phi / PI)**(1 / 3)
+
+    def evaluate(done):
+        v = words_after(done[0].text, "result")
+        yield {"quantity": "drag", "value": v["K"], "reference": KNOWN[phi], "scatter": v["spread"]}
+
+    words = {"fluid": "lb/fluid", "stencil": shell[0], "less": shell[1]} if shell else \
+        {"fluid": "lb/ibb", "radius": choice.get("radius", "given")}
+    run = Run("accuracy/in.moving_array", {"phi": phi, "known": KNOWN[phi], "cells": cells, "tau": tau, **words})
+    steps = 4.0 * 20 * r / ((tau - 0.5) / 3) + 0.3 * cells**2 / ((tau - 0.5) / 3)
+    return Point(f"moving_array_{phi:g}", sweep, [run], evaluate, r, tau, peer(*shell) if shell else choice,
+                 (10 if shell else 1) * steps * cells**3)
+
+
 def lb_fluids(quick):
-    if quick:
-        return []
-    return [lb_fluid(0.125, n, stencil) for stencil in (2, 4) for n in (8, 13, 20) if stencil == 2 or n < 20] + \
+    if quick:    # those for which lmp needs no other package
+        return [moving_array(0.125, n) for n in (8, 13)]
+    fine = {0.125: (8, 13, 20), 0.45: (6, 10, 16)}
+    points = [lb_fluid(0.125, n, stencil) for stencil in (2, 4) for n in (8, 13, 20) if stencil == 2 or n < 20] + \
         [lb_fluid(0.125, n, 2, 0.4) for n in (8, 13, 20)] + \
+        [lb_fluid(0.125, n, *shell) for shell in SHELLS[1:] for n in (8, 13)] + \
         [lb_fluid(0.45, n, 2, less) for less in (0.0, 0.4) for n in (6, 10, 16)]
+    for phi, sizes in fine.items():
+        points += [moving_array(phi, n, radius=radius) for n in sizes for radius in ("given", "calibrated")]
+        points += [moving_array(phi, n, 1.0, "tau") for n in sizes]
+        points += [moving_array(phi, n, 1.0, f"stencil_{shell[0]}_less_{shell[1]:g}", shell)
+                   for shell in ((2, 0.0), *SHELLS) for n in sizes]
+    for tau in (0.6, 0.8, 1.5, 2.0):
+        points += [moving_array(0.125, 13, tau, "tau", shell) for shell in SHELLS[:2]]
+        points += [moving_array(0.125, 13, tau, "tau")] if tau < 2.0 else []
+    return points
 
 
 GROUPS = {"array_0.125": lambda quick: arrays(0.125, quick), "array_0.45": lambda quick: arrays(0.45, quick),

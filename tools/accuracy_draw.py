@@ -14,6 +14,9 @@ COLOUR = {"cli": "C0", "zhao": "C2", "bouzidi": "C1", "halfway": "C3"}
 TITLE = {"array_0.125": "cubic array, solid fraction .125", "array_0.45": "cubic array, .45",
          "plates": "sphere between plates", "moving": "moving sphere, rms", "settling_E1": "settling, E1",
          "settling_E3": "settling, E3", "bed": "permeability of a random bed"}
+PEERS = {"lb/ibb": "C0", "lb/ibb, radius calibrated": "C9", "lb/fluid, stencil 2 less 0": "C1",
+         "lb/fluid, stencil 2 less 0.4": "C3", "lb/fluid, stencil 3 less 0.5": "C2", "lb/fluid, stencil 4 less 0": "C4",
+         "lb/fluid, stencil 4 less 0.15": "C5"}
 MOST = 1.0    # what is more wrong is counted, not shown
 
 
@@ -67,22 +70,32 @@ def cost(table, out):
 
 
 def peer(table, out):
-    """the same arrays by LAMMPS's own fix lb/fluid, against core seconds of whole processes"""
-    figure, axes = plt.subplots(1, 2, figsize=(10, 3.8))
-    for ax, phi in zip(axes, ("0.125", "0.45")):
-        kinds = {"lb/ibb": refinement(table, f"array_{phi}"),
-                 "lb/ibb, radius calibrated": [r for r in of(table, f"array_{phi}") if r["radius"] == "calibrated"
-                                               and r["link"] == "cli"]}
-        other = [r for r in table if r["case"] == f"lb_fluid_{phi}"]
-        for words in sorted({r["link"] for r in other}):
-            kinds[f"lb/fluid, {words}"] = [r for r in other if r["link"] == words]
-        for name, rows in kinds.items():
-            if rows:
-                ax.loglog([number(r, "cpu_s") for r in rows], [100 * error(r) for r in rows], "o-", ms=4, label=name)
-        ax.set_title(TITLE[f"array_{phi}"], fontsize=9)
-        ax.set_xlabel("core seconds for one place")
-        ax.set_ylabel("error and scatter (%)")
-        ax.legend(fontsize=7)
+    """arrays, fixed and moving, by LAMMPS's own fix lb/fluid too, against core seconds of whole processes"""
+    figure, axes = plt.subplots(2, 2, figsize=(10, 7.4))
+    shown = {}
+    for column, phi in enumerate(("0.125", "0.45")):
+        for ax, mine, other, cost in zip(axes[:, column], (f"array_{phi}", f"moving_array_{phi}"),
+                                         (f"lb_fluid_{phi}", f"moving_array_{phi}"),
+                                         ("one place", "a way of four cells")):
+            kinds = {"lb/ibb": refinement(table, mine),
+                     "lb/ibb, radius calibrated": [r for r in of(table, mine) if r["radius"] == "calibrated"
+                                                   and r["link"] == "cli"]}
+            theirs = [r for r in table if r["case"] == other and r["collision"] == "lb/fluid" and r["sweep"] != "tau"]
+            for words in sorted({r["link"] for r in theirs}):
+                kinds[f"lb/fluid, {words}"] = [r for r in theirs if r["link"] == words]
+            for name, rows in kinds.items():
+                if rows:
+                    rows = sorted(rows, key=lambda r: number(r, "r_over_dx"))
+                    shown[name], = ax.loglog([number(r, "cpu_s") for r in rows], [100 * error(r) for r in rows], "o-", ms=4,
+                                             color=PEERS.get(name))
+                    if mine != f"array_{phi}":
+                        ax.loglog([number(r, "cpu_s") for r in rows], [100 * number(r, "scatter") for r in rows], ":",
+                                  color=shown[name].get_color(), lw=1)
+            ax.set_title(("moving " if mine == other else "fixed ") + TITLE[f"array_{phi}"], fontsize=9)
+            ax.set_xlabel(f"core seconds for {cost}")
+            ax.set_ylabel("error and fluctuation; it alone dotted (%)" if mine == other else "error and scatter (%)")
+    figure.legend(shown.values(), shown.keys(), loc="lower center", ncol=4, fontsize=8, frameon=False)
+    figure.tight_layout(rect=(0, 0.06, 1, 1))
     save(figure, out, "peer")
 
 
@@ -211,7 +224,7 @@ def small(table, out):
 
 
 def save(figure, out, name):
-    if not figure.get_layout_engine() and name != "cost":
+    if not figure.get_layout_engine() and name not in ("cost", "peer"):
         figure.tight_layout()
     figure.savefig(out / f"accuracy_{name}.png", dpi=90)
     plt.close(figure)

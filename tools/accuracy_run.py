@@ -22,6 +22,7 @@ EXAMPLES = root / "examples"
 RADII = root / "potentials" / "lbm-ibb.radius"
 COLUMNS = ("case quantity sweep r_over_dx tau collision link refill average precision radius value reference error scatter "
            "wall_s cpu_s steps node_updates mlups memory_mib ranks load commit machine").split()
+ALONE = ("bench/", "accuracy/in.lb_fluid", "accuracy/in.moving_array")    # on one rank
 # what makes a row: another of the same replaces it
 IDENTITY = COLUMNS[:COLUMNS.index("value")]
 DEFAULT = {"collision": "trt", "link": "cli", "refill": "grad", "average": "yes", "precision": "double", "radius": "given"}
@@ -71,7 +72,7 @@ class Point:
     def __post_init__(self):    # two ranks where a run takes seconds
         if (os.cpu_count() or 1) > 1 and self.updates / len(self.runs) > 1e8:
             for run in self.runs:
-                run.ranks = 1 if run.script.startswith(("bench/", "accuracy/in.lb_fluid")) else 2
+                run.ranks = 1 if run.script.startswith(ALONE) else 2
 
     def importance(self):
         """0 first: the default, then what it does at other tau and with corrected radii, then the other rules"""
