@@ -187,7 +187,7 @@ template <class Rule, bool moving> void link_pass(benchmark::State &state)
     find_links<D3Q19>(at, cover, s, all, links);
   const std::vector<float> drho(at.size);
   std::vector<Load> loads(cover.spheres().size());
-  std::vector<Reach> none;
+  Yields none;
   for (auto _ : state)
     bounce_back<D3Q19, Rule, moving ? Motion::TURN : Motion::REST, true, false>(
         at, block.slots(), cover, links, drho.data(), loads, none);

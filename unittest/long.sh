@@ -27,11 +27,11 @@ done
 wait $job || { tail -n 20 screen.txt; die "the run failed"; }
 
 awk '
-  /^fluidised_bed solid fraction/ { solid = $4 + 0 }
+  /^fluidised_bed solid fraction/ { solid = $4 + 0; fall = $8 / 1000 }
   $1 == "Step" { on = 1; next }
   /^Fix lb\/ibb: .* fluid steps/ { on = 0 }
-  on && NF == 8 { step[++n] = $1; beads[n] = $4; water[n] = $5; loss[n] = $7 }
-  function tenth(k,   i, sum, m) {    # mean total momentum per volume in the k-th tenth
+  on && NF == 8 { step[++n] = $1; slip[n] = $3; beads[n] = $4; water[n] = $5; loss[n] = $7 }
+  function tenth(k,   i, sum, m) {    # mean momentum of the whole per volume in the k-th tenth
     for (i = int(n * (k - 1) / 10) + 1; i <= int(n * k / 10); i++) {
       sum += 1000 * water[i] + 2500 * solid * beads[i]
       m++
@@ -47,8 +47,10 @@ awk '
     fluid_steps = (step[n] - step[1]) / 5
     printf "%d granular steps, %d fluid steps\n", step[n], fluid_steps
     gate("drift of mass per 1000 fluid steps", (loss[n] - loss[1]) / fluid_steps * 1000, 1e-6)
-    # of the momentum of the water: what is on its way between water and beads is in it, but stays as it is
-    gate("drift of momentum", (tenth(10) - tenth(2)) / (1000 * water[n]), 0.05)
+    # a drift of the whole, of the velocity between water and beads; what is on its way between the two
+    # is not in it, but stays as it is
+    whole = 2500 * solid + 1000 * (1 - solid)
+    gate("drift of the whole / U", (tenth(10) - tenth(2)) / (whole * slip[n] * fall), 0.05)
     exit bad > 0
   }' screen.txt
 awk '{ m[NR] = $1 }

@@ -43,7 +43,7 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), units{}, nodes{1, 1, 1}, fluid_steps(0), first_step(-1), last_step(-1),
     history(nullptr), ghosted(nullptr), nghosted(0), survey_step(-1), fastest{},
     warned_of_masses(false), grains_known(0), drive{}, buoyancy_before{}, light(nullptr),
-    moving_bits(0), held_bits(0), tied_bits(0), about(LOADS), was_saved(false),
+    moving_bits(0), held_bits(0), set_bits(0), tied_bits(0), about(LOADS), was_saved(false),
     starts_anew(false), trouble{}, warned_of_speed(false)
 {
   if (lmp->citeme) lmp->citeme->add(LB_IBB_CITATION);
@@ -74,6 +74,7 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
     if (!nodes[d]) error->all(FLERR, "Fix lb/ibb: {}", why);
   }
   fields = std::make_unique<LBFields>(lmp, nodes);
+  provide_balance();
 
   FixLbIbb::grow_arrays(atom->nmax);
   atom->add_callback(Atom::GROW);
@@ -162,6 +163,7 @@ void FixLbIbb::end_of_step()
     share_volumes();
     check_discs();
     provide_light();
+    if (balance) balance->forget();
   }
   correct_fluid();
   place_grains();
@@ -179,6 +181,7 @@ void FixLbIbb::end_of_step()
   stop_for_trouble();
   const bool output_follows = output->next < update->ntimestep + nevery;
   if (fluid_steps % options.check == 0 || output_follows) take_survey();
+  if (balance) keep_momentum();
 }
 
 double FixLbIbb::evaluate(const LBValue &value)
@@ -222,7 +225,9 @@ void FixLbIbb::drive_fluid(const Drive &with)
     for (double &component : v) component /= unit;
     return v;
   };
-  fluid->set_force(divided(with.force, units.force_density()));
+  Vec3 force = divided(with.force, units.force_density());
+  for (int d = 0; balance && d < domain->dimension; d++) force[d] += balance->force()[d];
+  fluid->set_force(force);
   for (int d = 0; d < domain->dimension; d++)
     for (int side = 0; side < 2; side++)
       fluid->set_face(d, side, divided(with.u[d][side], units.velocity()),

@@ -20,6 +20,7 @@ FixStyle(lb/ibb,FixLbIbb);
 
 #include "lb_ibb_options.h"
 #include "lb_ibb_radius.h"
+#include "lbm_balance.h"
 #include "lbm_units.h"
 
 #include <memory>
@@ -201,10 +202,10 @@ class FixLbIbb : public Fix {
 
   // light grains, in fix_lb_ibb_light.cpp: none of this is there without them
   class FixStoreAtom *light;
-  // groups of fixes that integrate grains, that hold them where forces do not matter, and that have
-  // several or no say in how they move
-  int moving_bits, held_bits, tied_bits;
-  enum { TOLD = lbm::Response::SIZE + 6 };
+  // groups of fixes that integrate grains, that hold them where forces do not matter, that replace
+  // forces, and that have several or no say in how grains move
+  int moving_bits, held_bits, set_bits, tied_bits;
+  enum { TOLD = lbm::Response::SIZE + 12 };
   std::vector<std::array<double, TOLD>> told;    // by local and ghost atom, between ranks
   enum { LOADS, RESPONSES } about;               // what ranks exchange now
   // (1 + M^-1 zeta dt)^-1 by local atom, as long as it is that of this grain, step and mass
@@ -237,6 +238,12 @@ class FixLbIbb : public Fix {
   void read_fluid();
   void go_on_with_obstacles();
 
+  // momentum where nothing holds fluid and grains, in fix_lb_ibb_balance.cpp; else there is none
+  std::unique_ptr<lbm::Balance> balance;
+  void provide_balance();
+  double free_volume() const;
+  void keep_momentum();
+
   // mass ledger, in fix_lb_ibb_ledger.cpp; its entries are the last of the global vector
   enum { FIRST_OF_LEDGER = 14, UNACCOUNTED = lbm::Ledger::ACCOUNTS };
   double unaccounted(const lbm::Ledger &ledger);
@@ -248,12 +255,13 @@ class FixLbIbb : public Fix {
   lbm::Vec3 total_force();
 
   // what no run may go on with: grains in fix_lb_ibb_inspect.cpp, fluid in fix_lb_ibb_tripwire.cpp
-  static const char TOO_LIGHT[];    // a likely cause
+  bool is_loose(int i) const;
+  std::string cause_of_loose() const;
   // gravest thing a rank has found wrong with one of its grains in this fluid step; lattice units
   struct Trouble {
     enum Kind { NONE, SMALL, FAST, MOVED, NO_NUMBER };
     double kind, value, id, radius, density, speed,
-        loose;          // loose: light, but not coupled as such
+        loose;          // loose: see is_loose()
     lbm::Vec3 place;    // physical
   } trouble;
   void inspect_grain(int i, double *place_and_motion);

@@ -29,9 +29,19 @@
 using namespace LAMMPS_NS;
 using lbm::Vec3;
 
-const char FixLbIbb::TOO_LIGHT[] =
-    "the grain is too light to be coupled explicitly; use coupling auto and a fix that integrates "
-    "each grain by its force and torque";
+// Would it have to be coupled implicitly, but is not?
+bool FixLbIbb::is_loose(int i) const
+{
+  return is_driven(i) && below_limit(i) && !is_light(i);
+}
+
+std::string FixLbIbb::cause_of_loose() const
+{
+  return options.average ? "the grain is too light to be coupled explicitly; use coupling auto and "
+                           "a fix that integrates each grain by its force and torque"
+                         : "the force of a single fluid step throws the grain to and fro; use "
+                           "average yes, or coupling auto";
+}
 
 // What is wrong stops the run when the step is done, on all ranks together. Until then the grain
 // stays at rest where it was, so that the fluid gets numbers.
@@ -95,7 +105,7 @@ void FixLbIbb::note(Trouble::Kind kind, int i, double value)
              hydrodynamic_radius(i) / units.dx,
              density_ratio(i),
              std::sqrt(lbm::dot(v, v)) / units.velocity(),
-             below_limit(i) && !is_light(i) ? 1.0 : 0.0,
+             is_loose(i) ? 1.0 : 0.0,
              {atom->x[i][0], atom->x[i][1], atom->x[i][2]}};
 }
 
@@ -137,7 +147,7 @@ void FixLbIbb::stop_for_trouble()
         "the fluid around it is unstable, or another fix or the pair style gave it such a force; "
         "use a smaller check to see where it begins";
   else if (t.loose > 0.0)
-    cause = TOO_LIGHT;
+    cause = cause_of_loose();
   else if (t.kind == Trouble::FAST && t.value - t.speed > t.speed)
     cause = "it spins too fast for the fluid time step; reduce timestep or every";
   error->all(

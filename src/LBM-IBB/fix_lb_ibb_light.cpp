@@ -45,10 +45,15 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 constexpr int SIZE = lbm::Response::SIZE;
 
 // columns of the store: zeta; what links swallow more, by velocity; U_0 and the sum of U - U_0
-// since the last fluid step; area of the links; then zeta and U_0 of before that step, for runs
-// that begin right after it. Physical, but TAKEN and AREA.
+// since the last fluid step; area of the links; force and torque in gaps of one node; then zeta and
+// U_0 of before that step, for runs that begin right after it. Physical, but TAKEN and AREA.
 enum { ZETA = 0, TAKEN = SIZE, START = TAKEN + 6, SUM = START + 6, AREA = SUM + 6 };
-enum { FORMER_ZETA = AREA + 1, FORMER_START = FORMER_ZETA + SIZE, ROW = FORMER_START + 6 };
+enum {
+  IN_GAPS = AREA + 1,
+  FORMER_ZETA = IN_GAPS + 6,
+  FORMER_START = FORMER_ZETA + SIZE,
+  ROW = FORMER_START + 6
+};
 
 // zeta is zero for grains that do not yield
 bool yielding(const double *row)
@@ -64,11 +69,18 @@ Matrix6 matrix(const double *lower)
   return m;
 }
 
+// what a light grain got beyond its load, since it was faster than in the fluid step; lattice units
+lbm::Vec3 further_load(const double *row, int steps, double unit)
+{
+  const Vector6 load = matrix(row + ZETA) * Eigen::Map<const Vector6>(row + SUM) / (-steps * unit);
+  return {load[0], load[1], load[2]};
+}
+
 }    // namespace
 
 void FixLbIbb::find_integrators()
 {
-  moving_bits = held_bits = tied_bits = 0;
+  moving_bits = held_bits = set_bits = tied_bits = 0;
   for (auto *other : modify->get_fix_list()) {
     const auto is = [&](const char *style) {
       return utils::strmatch(other->style, style);
@@ -77,6 +89,7 @@ void FixLbIbb::find_integrators()
       held_bits |= other->groupbit;
     else if (other->time_integrate)
       moving_bits |= other->groupbit;
+    if (is("^setforce")) set_bits |= other->groupbit;
     if (is("^setforce") || is("^rigid") || is("^poems")) tied_bits |= other->groupbit;
   }
 }
@@ -101,10 +114,11 @@ double FixLbIbb::density_ratio(int i) const
   return atom->rmass[i] / (options.rho * units.grain_volume(hydrodynamic_radius(i)));
 }
 
+// The force of a single step throws grains of any density to and fro that are close to others.
 bool FixLbIbb::below_limit(int i) const
 {
-  return density_ratio(i) * hydrodynamic_radius(i) / options.dx <
-      (options.average ? lbm::LIGHT_LIMIT : 2.0 * lbm::LIGHT_LIMIT);
+  return !options.average ||
+      density_ratio(i) * hydrodynamic_radius(i) / options.dx < lbm::LIGHT_LIMIT;
 }
 
 // Storage, once there are grains that need it. Collective.
@@ -176,6 +190,7 @@ void FixLbIbb::correct_fluid()
   told.assign(std::size_t(nall), {});
   for (int i = 0; i < atom->nlocal; i++) {
     double *row = light->astore[i], *past = history[i], taken = 0.0;
+    if (balance && yielding(row)) balance->take(further_load(row, nevery, units.force()));
     for (int d = 0; d < 6; d++) {
       told[i][d] = row[SUM + d] / nevery / (d < 3 ? units.velocity() : units.spin());
       taken += row[TAKEN + d] * told[i][d];
@@ -213,7 +228,10 @@ void FixLbIbb::keep_responses()
   for (std::size_t s = 0; s < responses.size(); s++) {
     auto &t = told[sphere_atom[s]];
     for (int n = 0; n < SIZE; n++) t[n] += responses[s].zeta[n];
-    for (int d = 0; d < 6; d++) t[SIZE + d] += responses[s].swallowed[d];
+    for (int d = 0; d < 6; d++) {
+      t[SIZE + d] += responses[s].swallowed[d];
+      t[SIZE + 6 + d] += responses[s].in_gaps[d];
+    }
   }
   about = RESPONSES;
   if (force->newton)
@@ -233,6 +251,11 @@ void FixLbIbb::keep_responses()
     std::copy_n(atom->v[i], 3, row + START);
     std::copy_n(atom->omega[i], 3, row + START + 3);
     row[AREA] = ghosted[i][7];
+    for (int d = 0; d < 6; d++) {
+      const double in_gaps = told[i][SIZE + 6 + d] * load[d / 3];
+      if (row[FORMER_ZETA] > 0.0) array_atom[i][d] += 0.5 * (row[IN_GAPS + d] - in_gaps);
+      row[IN_GAPS + d] = in_gaps;
+    }
   }
 }
 

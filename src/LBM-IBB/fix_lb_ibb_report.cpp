@@ -55,8 +55,8 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
       options.bgk               ? "bgk"
           : options.regularised ? "regularised"
                                 : fmt::format("trt, Lambda = {:.5g}", options.magic),
-      nevery, units.dt,
-      units.tau(options.nu), 0.1 * units.sound_speed(), 0.3 * units.sound_speed());
+      nevery, units.dt, units.tau(options.nu), 0.1 * units.sound_speed(),
+      0.3 * units.sound_speed());
   for (int d = 0; d < domain->dimension; d++)
     if (options.face[d][0].kind == lbm::FaceKind::PRESSURE &&
         options.face[d][1].kind == lbm::FaceKind::PRESSURE)
@@ -71,13 +71,14 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
                         pressure_difference, 100.0 * units.density_excess(pressure_difference));
   if (grains)
     text += fmt::format(
-        "  grains: {:.4g} to {:.4g} cells per diameter; links {}, refill {}, force {}{}\n",
+        "  grains: {:.4g} to {:.4g} cells per diameter; links {}, refill {}, force {}{}{}\n",
         2.0 * smallest / options.dx, 2.0 * largest / options.dx, options.link_name(),
         refill[(int) options.refill],
         options.average ? "mean of two fluid steps" : "of the last fluid step",
         options.link == lbm::LinkRule::HALFWAY ? ""
             : options.conserve                 ? "; mass that links swallow given back"
-                                               : "; mass that links swallow lost");
+                                               : "; mass that links swallow lost",
+        balance && free_volume() > 0.0 ? "; momentum of the whole kept" : "");
   if (smallest > 0.0) text += expected_errors(smallest);
   if (grains && radii)
     text += fmt::format(

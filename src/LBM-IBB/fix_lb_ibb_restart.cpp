@@ -31,7 +31,7 @@ using namespace LAMMPS_NS;
 // As it is in the file: plain bytes, which LAMMPS reads only on machines of the same kind.
 // has_fluid is 0 before the fluid has moved: then it starts anew.
 struct FixLbIbb::Saved {
-  static constexpr int VERSION = 2;
+  static constexpr int VERSION = 3;
   int version = VERSION, bytes = sizeof(Saved);
   int has_fluid = 0, columns = SHOWN + COLUMNS, every = 0, obstacles = 0;
   double dx = 0.0, nu = 0.0, rho = 0.0, dt = 0.0;
@@ -39,6 +39,7 @@ struct FixLbIbb::Saved {
   Drive drive{};
   lbm::Vec3 buoyancy_before{};
   Fastest fastest{};
+  lbm::Balance::State balance{};
   lbm::StateHeader fluid{};
   std::uint64_t check = 0;    // of all that is before it
 
@@ -74,6 +75,7 @@ void FixLbIbb::write_restart(FILE *fp)
     s->drive = drive;
     s->buoyancy_before = buoyancy_before;
     s->fastest = fastest;
+    if (balance) s->balance = balance->settle(*neighbours);
     s->fluid = lbm::describe(*fluid, nodes, update->ntimestep, world);
     s->obstacles = int(found.size());
   }
@@ -179,6 +181,7 @@ void FixLbIbb::restart(char *buf)
   drive = s.drive;
   buoyancy_before = s.buoyancy_before;
   fastest = s.fastest;
+  if (balance) balance->resume(s.balance);
   to_go_on = std::make_shared<Saved>(s);
   if (!s.obstacles) return;
   const char *solid = buf + sizeof(Saved);

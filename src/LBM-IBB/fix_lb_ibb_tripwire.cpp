@@ -158,7 +158,7 @@ FixLbIbb::Neighbour FixLbIbb::nearest_grain(const Vec3 &at)
             density_ratio(i),
             speed / units.velocity(),
             (speed + r * std::sqrt(lbm::dot(spin, spin))) / units.velocity(),
-            below_limit(i) && !is_light(i) ? 1.0 : 0.0};
+            is_loose(i) ? 1.0 : 0.0};
   }
   struct {
     double gap;
@@ -183,7 +183,7 @@ std::string FixLbIbb::likely_cause(const Int3 &node, const Neighbour &grain)
   if (beside && lbm::mach(grain.surface) > lbm::MACH_WARN)
     return "the grain is too fast for the fluid time step, or was set in motion too suddenly; "
            "reduce timestep or every, or start it slowly";
-  if (beside && grain.loose > 0.0) return TOO_LIGHT;
+  if (beside && grain.loose > 0.0) return cause_of_loose();
   if (near_open_face(node))
     return "the pressure or velocity of a face is too large or changes too suddenly; ramp it over "
            "several times the travel time of sound, or reduce timestep or every";

@@ -168,9 +168,10 @@ namespace {
   }
 
   // the sphere ahead is one, those behind differ
-  template <class L, class Rule, Motion motion, bool ledger>
+  template <class L, class Rule, Motion motion, bool ledger, bool yields>
   void close_group(const Layout &at, const Slots<L> &f, const Cover &cover, const Gaps &gaps,
-                   const LinkGroup &group, const float *drho, std::vector<Load> &loads)
+                   const LinkGroup &group, const float *drho, std::vector<Load> &loads,
+                   [[maybe_unused]] std::vector<Load> &in_gaps)
   {
     constexpr int W = SIMD_WIDTH;
     using V = Pack<W>;
@@ -190,10 +191,13 @@ namespace {
       close_gaps<L, Rule, motion, ledger>(decode, f, slot, {&ahead, &behind}, i, node.p,
                                           {q_ahead.p, q_behind.p}, drho, of_pack);
       sums.add_first(of_pack[0], n);
-      add_each<motion>(of_pack[1], sphere.p, n, L::e[opposite<L>(i)], L::w[i], loads);
+      const auto &back = L::e[opposite<L>(i)];
+      add_each<motion>(of_pack[1], sphere.p, n, back, L::w[i], loads);
+      if constexpr (yields) add_each<motion>(of_pack[1], sphere.p, n, back, L::w[i], in_gaps);
     }
     sums.area = 2.0 * L::w[i] * double(group.end - group.begin);
     add_all<motion>(sums, L::e[i], loads[group.sphere]);
+    if constexpr (yields) add_all<motion>(sums, L::e[i], in_gaps[group.sphere]);
   }
 
   void add_pressure(const Cover &cover, const Hidden &hidden, int32_t sphere, double p,
@@ -226,8 +230,7 @@ namespace {
 
 template <class L, class Rule, Motion motion, bool ledger, bool yields>
 void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-                 const float *drho, std::vector<Load> &loads,
-                 [[maybe_unused]] std::vector<Reach> &reaches)
+                 const float *drho, std::vector<Load> &loads, [[maybe_unused]] Yields &of_yielding)
 {
   constexpr int W = SIMD_WIDTH;
   const Decoder decode(at);
@@ -253,8 +256,8 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const double refund = L::w[i] * sphere.refund;
     const Turn turn(L::e[i]);
     ReachSums<Pack<W>, yields> reach;
-    [[maybe_unused]] Reach *const of_group = yields ? &reaches[size_t(group.sphere) * L::Q + i]
-                                                    : nullptr;
+    [[maybe_unused]] Reach *const of_group =
+        yields ? &of_yielding.reaches[size_t(group.sphere) * L::Q + i] : nullptr;
     if constexpr (yields) {
       __builtin_prefetch(&of_group->links, 1);
       __builtin_prefetch(&of_group->sums[REACH - 1], 1);
@@ -288,14 +291,15 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
       if (sphere.yields) reach.add_to(*of_group, size);
   }
   for (const LinkGroup &group : links.gaps.groups)
-    close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho, loads);
+    close_group<L, Rule, motion, ledger, yields>(at, f, cover, links.gaps, group, drho, loads,
+                                                 of_yielding.in_gaps);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }
 
 #define LBM_INSTANTIATE_ONE(L, Rule, motion, ledger, yields)                         \
   template void bounce_back<L, Rule, motion, ledger, yields>(                        \
       const Layout &, const Slots<L> &, const Cover &, const Links &, const float *, \
-      std::vector<Load> &, std::vector<Reach> &);
+      std::vector<Load> &, Yields &);
 #define LBM_INSTANTIATE_MOTION(L, Rule, motion, yields) \
   LBM_INSTANTIATE_ONE(L, Rule, motion, false, yields)   \
   LBM_INSTANTIATE_ONE(L, Rule, motion, true, yields)

@@ -32,7 +32,8 @@ void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const flo
     return s.yields;
   });
   responses_.clear();
-  reaches_.assign(any_yields_ ? L::Q * spheres.size() : 0, {});
+  yields_.reaches.assign(any_yields_ ? L::Q * spheres.size() : 0, {});
+  yields_.in_gaps.assign(any_yields_ ? spheres.size() : 0, {});
   if (moved_) kept_ = false;
   if (kept_) return;
   lists_.resize(moved_ ? 1 : tiles_.count() + 1);
@@ -86,7 +87,7 @@ template <class L> void LinkPass<L>::outermost(const Slots<L> &f)
   }
   for (std::size_t s = 0; any_yields_ && s < cover_->spheres().size() && !cover_->is_obstacle(s);
        s++)
-    responses_.push_back(response<L>(&reaches_[L::Q * s]));
+    responses_.push_back(response<L>(&yields_.reaches[L::Q * s], yields_.in_gaps[s]));
 }
 
 template <class L> void LinkPass<L>::bounce_kept(std::size_t k, const Slots<L> &f)
@@ -106,7 +107,8 @@ void LinkPass<L>::find(std::size_t s, const Region &region, std::size_t k, const
   links_ += list.size - links + 2 * (list.gaps.size - gaps);
   gaps_ += list.gaps.size - gaps;
   if (!moved_) return;
-  bounce(list, yields, f);
+  // of the spheres at the two ends of a gap either may yield
+  bounce(list, yields || (any_yields_ && list.gaps.size > 0), f);
   if (yields)
     list.settle();
   else
@@ -154,9 +156,9 @@ template <class Rule, Motion motion, bool yields>
 void LinkPass<L>::bounce_in(const Links &links, const Slots<L> &f)
 {
   if (ledger_)
-    bounce_back<L, Rule, motion, true, yields>(at_, f, *cover_, links, drho_, *loads_, reaches_);
+    bounce_back<L, Rule, motion, true, yields>(at_, f, *cover_, links, drho_, *loads_, yields_);
   else
-    bounce_back<L, Rule, motion, false, yields>(at_, f, *cover_, links, drho_, *loads_, reaches_);
+    bounce_back<L, Rule, motion, false, yields>(at_, f, *cover_, links, drho_, *loads_, yields_);
 }
 
 template <class L> double LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 &force) const
@@ -171,7 +173,7 @@ template <class L>
 Taken LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) const
 {
   Taken sum;
-  if (reaches_.empty()) return sum;
+  if (yields_.reaches.empty()) return sum;
   with_rule([&](auto rule) {
     using Rule = decltype(rule);
     if (moved_)
@@ -180,7 +182,7 @@ Taken LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) co
       for (const Links &list : lists_) lbm::correct<L, Rule>(at_, f, *cover_, list, gains);
   });
   for (std::size_t s = 0; s < gains.size(); s++) {
-    const Taken more = taken<L>(&reaches_[L::Q * s], gains[s]);
+    const Taken more = taken<L>(&yields_.reaches[L::Q * s], gains[s]);
     sum.displaced += more.displaced;
     sum.swallowed += more.swallowed;
   }
@@ -194,7 +196,7 @@ template <class L> void LinkPass<L>::recall(const Cover &cover)
   kept_ = false;
   lists_.resize(1);
   yielding_.clear();
-  reaches_.assign(L::Q * cover.spheres().size(), {});
+  yields_.reaches.assign(L::Q * cover.spheres().size(), {});
   for (std::size_t s = 0; s < cover.spheres().size(); s++) {
     if (!cover.spheres()[s].yields) continue;
     find_links<L>(at_, cover, s, at_.all(), yielding_);
@@ -202,7 +204,7 @@ template <class L> void LinkPass<L>::recall(const Cover &cover)
   yielding_.settle();
   yielding_.pockets.clear();
   with_rule([&](auto rule) {
-    lbm::add_reaches<L, decltype(rule)>(at_, cover, yielding_, reaches_);
+    lbm::add_reaches<L, decltype(rule)>(at_, cover, yielding_, yields_.reaches);
   });
 }
 

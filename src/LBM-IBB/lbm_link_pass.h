@@ -65,7 +65,7 @@ template <class L> class LinkPass {
   // of spheres that stay, by tile, the shell last; or one, of a moving sphere
   std::vector<Links> lists_;
   Links yielding_;                // of moving spheres that yield
-  std::vector<Reach> reaches_;    // by sphere and direction
+  Yields yields_;
   std::vector<Response> responses_;
   // spheres that may have links behind each tile k: near_[first_near_[k]] ...
   std::vector<uint32_t> first_near_, near_;

@@ -16,8 +16,8 @@ namespace lbm {
 
 constexpr double MACH_WARN = 0.1, MACH_LIMIT = 0.3;          // Mansouri et al. 2016, section 3.2
 constexpr double EXCESS_WARN = 0.05, EXCESS_LIMIT = 0.20;    // of the density
-// Density ratio times radius in cells below which a held force may throw a grain back and forth:
-// twice what was found for the mean of two steps; four times for the force of the last step alone
+// Density ratio times radius in cells below which a held force, the mean of two steps, may throw a
+// grain back and forth: twice what was found
 constexpr double LIGHT_LIMIT = 1.6;
 constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;    // cells per radius, section 4.1
 constexpr double TAU_LOW = 0.51, TAU_HIGH = 3.0;

@@ -22,9 +22,13 @@ Vec3 Turn::complete(double s, double t) const
   return v;
 }
 
-template <class L> Response response(const Reach *reaches)
+template <class L> Response response(const Reach *reaches, const Load &in_gaps)
 {
   Response response;
+  for (int d = 0; d < 3; d++) {
+    response.in_gaps[d] = in_gaps.force[d];
+    response.in_gaps[3 + d] = in_gaps.torque[d];
+  }
   for (int i = 1; i < L::Q; i++) {
     const auto &[links, sums] = reaches[i];
     if (links == 0.0) continue;
@@ -151,12 +155,12 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
                                      std::vector<Reach> &);                                      \
   template void correct<L, Rule>(const Layout &, const Slots<L> &, const Cover &, const Links &, \
                                  const std::vector<Gain> &);
-#define LBM_INSTANTIATE(L)                              \
-  template Response response<L>(const Reach *);         \
-  template Taken taken<L>(const Reach *, const Gain &); \
-  LBM_INSTANTIATE_RULE(L, Halfway)                      \
-  LBM_INSTANTIATE_RULE(L, Bouzidi)                      \
-  LBM_INSTANTIATE_RULE(L, Cli)                          \
+#define LBM_INSTANTIATE(L)                                    \
+  template Response response<L>(const Reach *, const Load &); \
+  template Taken taken<L>(const Reach *, const Gain &);       \
+  LBM_INSTANTIATE_RULE(L, Halfway)                            \
+  LBM_INSTANTIATE_RULE(L, Bouzidi)                            \
+  LBM_INSTANTIATE_RULE(L, Cli)                                \
   LBM_INSTANTIATE_RULE(L, Zhao)
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE

@@ -22,6 +22,7 @@ struct Response {
   static constexpr int SIZE = 21;
   std::array<double, SIZE> zeta{};      // lower triangle by rows: force before torque
   std::array<double, 6> swallowed{};    // what Load::swallowed gains with (du, dspin)
+  std::array<double, 6> in_gaps{};    // force and torque of links in gaps of one node, in the Load
 };
 
 // velocity and spin beyond what was handed in, mean over a step
@@ -65,6 +66,12 @@ enum { C, S, T, CS, CT, CSS, CST, CTT, REACH };
 struct Reach {
   double links = 0.0, sums[REACH] = {};
 };
+// what is summed of spheres if any yields: reaches, Q of each sphere, and the part of its Load that
+// comes from gaps of one node, where it does not yield
+struct Yields {
+  std::vector<Reach> reaches;
+  std::vector<Load> in_gaps;
+};
 // in packs, or nothing for spheres that do not yield
 template <class V, bool yields> struct ReachSums {
   V sums[REACH] = {};
@@ -91,7 +98,7 @@ template <class V> struct ReachSums<V, false> {
 };
 
 // of a sphere, from the reaches of its directions
-template <class L> Response response(const Reach *reaches);
+template <class L> Response response(const Reach *reaches, const Load &in_gaps);
 template <class L> Taken taken(const Reach *reaches, const Gain &gain);
 
 // the reaches of links that bounced back elsewhere, by sphere and direction

@@ -201,7 +201,7 @@ template <class L, class Rule> class Channel {
     halo.exchange(block);
     block.advance();
     loads.assign(2, {});
-    std::vector<Reach> none;
+    Yields none;
     bounce_back<L, Rule, Motion::TURN, true, false>(at, block.slots(), cover, links, drho.data(),
                                                     loads, none);
   }

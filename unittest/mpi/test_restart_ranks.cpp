@@ -208,6 +208,21 @@ TEST_F(RestartRanks, LightGrains)
                     100});
 }
 
+// free in a box without walls: the force that keeps the momentum goes on as well
+TEST_F(RestartRanks, MomentumIsKept)
+{
+  Scene s{{16, 14, 15},
+          "p p p",
+          grain(1, {12.3, 3.1, 8.2}, 3.3, {4e-3, -4e-3, 1e-3}) +
+              grain(2, {5.1, 10.2, 6.4}, 3.6, {-3e-3, 1e-3, 0}) +
+              "\nset atom 1 density 20\nset atom 2 density 2600\ntimestep " + num(DT / 4),
+          "\nfix m all nve/sphere",
+          "every 4 accel 1e-3 0 0 check 7",
+          102,
+          200};
+  compare_restarts(s);
+}
+
 TEST_F(RestartRanks, SinglePrecision)
 {
   Scene s{{16, 14, 15},

@@ -172,6 +172,14 @@ TEST_F(StopsOnRanks, LightGrainCoupledExplicitly)
             "density 0.01 rho; tau = 0.8000. Likely cause: the grain is too light to be coupled");
 }
 
+TEST_F(StopsOnRanks, ForcesOfSingleSteps)
+{
+  const std::string message =
+      stops(still() + "\nset atom 1 density 10",
+            fluid("coupling explicit average no accel 1e-2 0 0") + "\nfix m all nve/sphere" + run(50));
+  EXPECT_IN(message, "Likely cause: the force of a single fluid step throws the grain to and fro");
+}
+
 // two grains deep in each other, a hundred granular steps to a fluid step
 TEST_F(StopsOnRanks, ThrownByAContact)
 {

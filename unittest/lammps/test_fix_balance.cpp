@@ -1,0 +1,116 @@
+/* ----------------------------------------------------------------------
+   LAMMPS - Large-scale Atomic/Molecular Massively Parallel Simulator
+   https://www.lammps.org/, Sandia National Laboratories
+   LAMMPS development team: developers@lammps.org
+
+   This software is distributed under the GNU General Public License,
+   version 2.
+
+   See the README file in the top-level LAMMPS directory.
+------------------------------------------------------------------------- */
+
+// Momentum of fluid and free grains in a box that is periodic all around.
+
+#include "fluid_scenes.h"
+
+#include "update.h"
+
+class BalanceOfFix : public FluidTest {
+ protected:
+  static constexpr int CHECK = 20;
+  static constexpr double G = 0.01;    // under which a grain falls by about a cell in 100 steps
+  static constexpr double R = 2.7;
+  double density = SOLID;
+
+  // A loose bed that falls, its weight carried by the water: nothing acts on the whole.
+  std::string falling(const std::string &options, const std::string &integrator = "nve/sphere")
+  {
+    const bool flat = n[2] == 1;
+    std::string text;
+    const int layers = flat ? 1 : 3;
+    int id = 0;
+    for (int k = 0; k < 9 * layers; k++) {
+      const Triple c{8.0 * (k % 3) + 4.3 + std::sin(k), 8.0 * (k / 3 % 3) + 4.1 + std::cos(3 * k),
+                     8.0 * (k / 9) + 4.2 + std::sin(2 * k)};
+      text += flat ? disc(++id, c, R) : grain(++id, c, R);
+    }
+    text += std::string("\nset group all density") + (flat ? "/disc " : " ") + num(density);
+    const double solid = id * grain_volume(R) / (24 * 24 * n[2] * cell_volume());
+    return text + "\npair_style gran/lsd/coulomb\npair_coeff * * 0.02 0.8 0.2\ntimestep " +
+        num(DT / 5) + "\nfix m all " + integrator + (flat ? " disc" : "") +
+        "\nfix g all gravity " + num(G) + " vector 0 -1 0\nneigh_modify delay 0 every 1 check yes" +
+        fluid("every 5 check " + std::to_string(CHECK) + " buoyancy 0 " + num(-G) +
+              " 0 gradp 0 " + num(-(density - RHO) * G * solid) + " 0 " + options);
+  }
+
+  Triple loads() const    // on the grains, without the part of gradp, which does not change
+  {
+    Triple sum{};
+    for (int i = 0; i < lmp->atom->nlocal; i++)
+      for (int d = 0; d < 3; d++) sum[d] += fix()->array_atom[i][d];
+    return sum;
+  }
+
+  // After so many fluid steps, with what is on its way to the grains, up to what is about the same at
+  // all times: the force that is held, and a part of a time step of the one before.
+  double momentum(int steps)
+  {
+    script(run(5 * steps - 5));
+    const Triple before = loads();
+    script(run(5));
+    const Triple last = loads();
+    const auto rho = values("density"), u = values("velocity", 1), solid = values("solid");
+    double sum = DT * (last[1] + 0.1 * before[1]);
+    for (std::size_t k = 0; k < rho.size(); k++)
+      if (solid[k] == 0.0) sum += rho[k] * u[k] * cell_volume();
+    for (int i = 0; i < lmp->atom->nlocal; i++) sum += lmp->atom->rmass[i] * lmp->atom->v[i][1];
+    return sum;
+  }
+
+  // of the momentum that the submerged weight gives the grains in a fluid step, mean of all steps
+  double drift(const Cells &cells, const std::string &options)
+  {
+    start();
+    const std::string text = box(cells);
+    script(text + falling(options));
+    const double first = momentum(15 * CHECK), second = momentum(40 * CHECK);
+    const double weight = (density - RHO) * lmp->atom->natoms * grain_volume(R) * G;
+    return (second - first) / (weight * 40 * CHECK * DT);
+  }
+};
+
+// Without it the whole drifts by a thousandth of what the weight gives.
+TEST_F(BalanceOfFix, IsKept)
+{
+  for (const Cells &cells : {Cells{24, 24, 24}, Cells{24, 24, 1}})
+    for (const std::string more : {"", "link bouzidi refill local", "collision bgk"})
+      for (double grain : {SOLID, 700.0}) {
+        density = grain;
+        const double kept = drift(cells, more), lost = drift(cells, more + " conserve no");
+        EXPECT_LT(std::fabs(kept), 2e-4) << cells[2] << " " << more << " " << density;
+        EXPECT_GT(std::fabs(lost), 4.0 * std::fabs(kept)) << cells[2] << " " << more;
+      }
+}
+
+// Said in the summary of the run; nothing is pushed where something else holds fluid or grains.
+TEST_F(BalanceOfFix, IsThereWhereNothingHolds)
+{
+  const std::string kept = "momentum of the whole kept", ball = grain(1, {5.3, 6.1, 4.9}, 3.6);
+  const std::string free = "\nfix m all nve/sphere";
+  const auto summary = [&](const std::string &boundary, const std::string &fixes,
+                           const std::string &options) {
+    start();
+    return log_of(box({12, 11, 13}, boundary) + ball + fixes + fluid(options) + run(0));
+  };
+  EXPECT_IN(summary("p p p", free, ""), kept);
+  for (const auto &[boundary, fixes, options] :
+       {std::array<std::string, 3>{"p p p", "\nfix ice all freeze", ""},
+        {"p p p", "\nfix m all move linear 1e-3 0 0", ""},
+        {"p p p", free + "\nfix s all setforce 0 0 0", ""},
+        {"p p p", free, "conserve no"},
+        {"p p f", free, "face zlo wall face zhi wall"}}) {
+    const std::string text = summary(boundary, fixes, options);
+    EXPECT_IN(text, "links cli");
+    EXPECT_EQ(text.find(kept), std::string::npos) << boundary << fixes << options;
+  }
+}
