@@ -61,7 +61,8 @@ FixLbIbb::FixLbIbb(LAMMPS *lmp, int narg, char **arg) :
   size_peratom_cols = SHOWN;
   global_freq = peratom_freq = pergrid_freq = 1;
   comm_forward = OUT;
-  comm_reverse = BACK;
+  // LAMMPS sizes its buffers by this, before grains that are light may come
+  comm_reverse = options.coupling == LBOptions::EXPLICIT ? +BACK : std::max(+BACK, +TOLD);
   create_attribute = 1;
   restart_global = restart_peratom = restart_file = 1;
   maxexchange = SHOWN + COLUMNS;
@@ -108,9 +109,10 @@ int FixLbIbb::setmask()
 void FixLbIbb::setup(int)
 {
   review_setup();
-  grains_changed();
+  if (grains_changed() && balance) balance->forget();
   share_volumes();
   share_nodes();
+  if (balance && !keeps_momentum()) balance->forget();
   warned_of_speed = false;
   survey_step = -1;    // forces may have changed, and the velocity has half of one in it
   start_clock();
@@ -158,6 +160,7 @@ void FixLbIbb::end_of_step()
   buoyancy_before = drive.buoyancy;
   drive = evaluate_all();
   check_faces();
+  if (balance) balance->start(driving_force(drive));
   drive_fluid(drive);
   if (grains_changed()) {
     share_volumes();
@@ -219,13 +222,21 @@ FixLbIbb::Drive FixLbIbb::evaluate_all()
   return now;
 }
 
+static Vec3 divided(Vec3 v, double unit)
+{
+  for (double &component : v) component /= unit;
+  return v;
+}
+
+// on a node
+Vec3 FixLbIbb::driving_force(const Drive &with) const
+{
+  return divided(with.force, units.force_density());
+}
+
 void FixLbIbb::drive_fluid(const Drive &with)
 {
-  auto divided = [](Vec3 v, double unit) {
-    for (double &component : v) component /= unit;
-    return v;
-  };
-  Vec3 force = divided(with.force, units.force_density());
+  Vec3 force = driving_force(with);
   for (int d = 0; balance && d < domain->dimension; d++) force[d] += balance->force()[d];
   fluid->set_force(force);
   for (int d = 0; d < domain->dimension; d++)

@@ -182,6 +182,7 @@ class FixLbIbb : public Fix {
   lbm::Vec3 buoyancy_before;
   double evaluate(const LBValue &value);
   Drive evaluate_all();
+  lbm::Vec3 driving_force(const Drive &with) const;
   void drive_fluid(const Drive &with);
   void check_faces();
   void add_forces(double **held, const lbm::Vec3 &gravity);
@@ -217,6 +218,7 @@ class FixLbIbb : public Fix {
   std::vector<Yielding> yieldings;
   void find_integrators();
   void provide_light();
+  void forget_light();
   bool is_light(int i) const;
   double density_ratio(int i) const;
   bool below_limit(int i) const;
@@ -241,7 +243,8 @@ class FixLbIbb : public Fix {
   // momentum where nothing holds fluid and grains, in fix_lb_ibb_balance.cpp; else there is none
   std::unique_ptr<lbm::Balance> balance;
   void provide_balance();
-  double free_volume() const;
+  bool nothing_holds(double &volume) const;
+  bool keeps_momentum() const;
   void keep_momentum();
 
   // mass ledger, in fix_lb_ibb_ledger.cpp; its entries are the last of the global vector

@@ -29,30 +29,34 @@ void FixLbIbb::provide_balance()
   if (options.conserve && options.obstacles.empty()) balance = std::make_unique<lbm::Balance>();
 }
 
-// Volume of all grains if all of them are free, else 0; lattice units. Collective.
-double FixLbIbb::free_volume() const
+// Are all grains free? Their volume, lattice units. Collective.
+bool FixLbIbb::nothing_holds(double &volume) const
 {
-  double sums[2] = {};    // volume, grains that are held
+  double sums[3] = {};    // volume, grains, those that are held
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
     sums[0] += displaced_volume(i) / units.volume();
-    sums[1] += !is_driven(i) || (atom->mask[i] & set_bits);
+    sums[1] += 1.0;
+    sums[2] += !is_driven(i) || (atom->mask[i] & set_bits);
   }
-  neighbours->sum(sums, 2);
-  return sums[1] > 0.0 ? 0.0 : sums[0];
+  neighbours->sum(sums, 3);
+  volume = sums[0];
+  return sums[1] > 0.0 && sums[2] == 0.0;
+}
+
+bool FixLbIbb::keeps_momentum() const
+{
+  double volume;
+  return balance && nothing_holds(volume);
 }
 
 // after a fluid step; collective
 void FixLbIbb::keep_momentum()
 {
-  Vec3 force;
-  for (int d = 0; d < 3; d++) force[d] = drive.force[d] / units.force_density();
-  balance->drive(force);
   for (const lbm::Load &load : loads) balance->take(load.force);
   if (fluid_steps % options.check != 0) return;
-
-  const double volume = free_volume();
-  if (volume == 0.0) return balance->forget();
+  double volume;
+  if (!nothing_holds(volume)) return balance->forget();
   take_survey();
   const double all = double(nodes[0]) * nodes[1] * nodes[2];
   balance->look(survey, all - volume, options.check, *neighbours);

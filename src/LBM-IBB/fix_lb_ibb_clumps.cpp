@@ -28,10 +28,10 @@
 using namespace LAMMPS_NS;
 using lbm::Vec3;
 
-// Buoyancy and gradp need volumes; nothing else does
+// Buoyancy, gradp and the balance of momentum need volumes; nothing else does
 bool FixLbIbb::has_clumps() const
 {
-  return (options.has_buoyancy || options.has_gradp) && atom->radius_flag &&
+  return (options.has_buoyancy || options.has_gradp || balance) && atom->radius_flag &&
       !modify->get_fix_by_style("^rigid").empty();
 }
 

@@ -118,7 +118,7 @@ void FixLbIbb::give_forces()
   }
   // with newton off LAMMPS has no buffers for it but those it makes on the spot
   if (force->newton)
-    comm->reverse_comm(this);
+    comm->reverse_comm(this, BACK);
   else
     comm->reverse_comm_variable(this);
 

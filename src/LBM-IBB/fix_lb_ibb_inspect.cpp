@@ -40,7 +40,8 @@ std::string FixLbIbb::cause_of_loose() const
   return options.average ? "the grain is too light to be coupled explicitly; use coupling auto and "
                            "a fix that integrates each grain by its force and torque"
                          : "the force of a single fluid step throws the grain to and fro; use "
-                           "average yes, or coupling auto";
+                           "average yes, or coupling auto and a fix that integrates "
+                           "each grain by its force and torque";
 }
 
 // What is wrong stops the run when the step is done, on all ranks together. Until then the grain

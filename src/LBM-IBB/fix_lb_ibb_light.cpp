@@ -134,7 +134,13 @@ void FixLbIbb::provide_light()
   if (!any) return;
   light = dynamic_cast<FixStoreAtom *>(modify->add_fix(
       fmt::format("{}_LIGHT {} STORE/ATOM {} 0 0 1", id, group->names[igroup], +ROW)));
-  comm_reverse = std::max(comm_reverse, +TOLD);
+}
+
+// what a restart file has of them belongs to a fluid that is gone
+void FixLbIbb::forget_light()
+{
+  if (!light) return;
+  for (int i = 0; i < atom->nlocal; i++) std::fill_n(light->astore[i], +ROW, 0.0);
 }
 
 // after all other forces; at the start of a run velocities are those of the full step, half of the
@@ -253,7 +259,8 @@ void FixLbIbb::keep_responses()
     row[AREA] = ghosted[i][7];
     for (int d = 0; d < 6; d++) {
       const double in_gaps = told[i][SIZE + 6 + d] * load[d / 3];
-      if (row[FORMER_ZETA] > 0.0) array_atom[i][d] += 0.5 * (row[IN_GAPS + d] - in_gaps);
+      if (row[FORMER_ZETA] > 0.0 && yielding(row))
+        array_atom[i][d] += 0.5 * (row[IN_GAPS + d] - in_gaps);
       row[IN_GAPS + d] = in_gaps;
     }
   }

@@ -78,7 +78,7 @@ void FixLbIbb::print_summary(double smallest, double largest, double pressure_di
         options.link == lbm::LinkRule::HALFWAY ? ""
             : options.conserve                 ? "; mass that links swallow given back"
                                                : "; mass that links swallow lost",
-        balance && free_volume() > 0.0 ? "; momentum of the whole kept" : "");
+        keeps_momentum() ? "; momentum of the whole kept" : "");
   if (smallest > 0.0) text += expected_errors(smallest);
   if (grains && radii)
     text += fmt::format(

@@ -39,6 +39,7 @@ struct FixLbIbb::Saved {
   Drive drive{};
   lbm::Vec3 buoyancy_before{};
   Fastest fastest{};
+  std::uint64_t grains_known = 0;
   lbm::Balance::State balance{};
   lbm::StateHeader fluid{};
   std::uint64_t check = 0;    // of all that is before it
@@ -75,6 +76,7 @@ void FixLbIbb::write_restart(FILE *fp)
     s->drive = drive;
     s->buoyancy_before = buoyancy_before;
     s->fastest = fastest;
+    s->grains_known = grains_known;
     if (balance) s->balance = balance->settle(*neighbours);
     s->fluid = lbm::describe(*fluid, nodes, update->ntimestep, world);
     s->obstacles = int(found.size());
@@ -83,8 +85,7 @@ void FixLbIbb::write_restart(FILE *fp)
   to_write = s;
   if (comm->me) return;
   std::vector<SavedObstacle> solid(s->obstacles);
-  for (int k = 0; k < s->obstacles; k++)
-    solid[k] = {fluid->obstacles()[k], found[k].checksum};
+  for (int k = 0; k < s->obstacles; k++) solid[k] = {fluid->obstacles()[k], found[k].checksum};
   const std::uint64_t check =
       lbm::checksum(solid.data(), solid.size() * sizeof(SavedObstacle) / sizeof check);
   const std::size_t more = solid.empty() ? 0 : solid.size() * sizeof(SavedObstacle) + sizeof(check);
@@ -181,6 +182,7 @@ void FixLbIbb::restart(char *buf)
   drive = s.drive;
   buoyancy_before = s.buoyancy_before;
   fastest = s.fastest;
+  grains_known = s.grains_known;
   if (balance) balance->resume(s.balance);
   to_go_on = std::make_shared<Saved>(s);
   if (!s.obstacles) return;

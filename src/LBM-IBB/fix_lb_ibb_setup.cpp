@@ -48,6 +48,7 @@ void FixLbIbb::init()
   find_integrators();
   check_discs();
   provide_light();
+  if (starts_anew && !has_started()) forget_light();
   find_variables();
   if (has_started()) reset_dt();
   if (!has_started() || !fluid) create_fluid();

@@ -4,9 +4,12 @@
 
 namespace lbm {
 
-void Balance::drive(const Vec3 &force)
+void Balance::start(const Vec3 &drive)
 {
-  for (int d = 0; d < 3; d++) state_.driven[d] += force[d];
+  drive_ = drive;
+  for (int d = 0; d < 3; d++) state_.driven[d] += drive[d];
+  state_.force = state_.left > 0.0 ? state_.next : Vec3{};
+  state_.left -= 1.0;
 }
 
 void Balance::take(const Vec3 &momentum)
@@ -18,14 +21,18 @@ void Balance::look(const Survey &whole, double volume, int steps, Neighbours &ne
 {
   settle(neighbours);
   State &s = state_;
+  if (whole.fluid_nodes == 0.0) return;
   for (int d = 0; d < 3; d++) {
-    const double due = s.driven[d] * volume - s.taken[d], got = whole.momentum[d] - s.momentum[d];
+    // in a survey the velocity has half of a step's force in it, which may be another in the next
+    const double of_node = whole.momentum[d] / whole.fluid_nodes - 0.5 * (drive_[d] + s.force[d]);
+    const double got = volume * of_node - s.momentum[d], due = s.driven[d] * volume - s.taken[d];
     s.missing[d] = s.known == 0.0 ? 0.0 : s.missing[d] + due - got;
-    s.force[d] = s.missing[d] / (steps * whole.fluid_nodes);
+    s.momentum[d] = volume * of_node;
+    s.next[d] = s.missing[d] / (steps * volume);
   }
-  s.momentum = whole.momentum;
   s.driven = s.taken = {};
   s.known = 1.0;
+  s.left = steps;
 }
 
 void Balance::forget()

@@ -184,6 +184,25 @@ TEST_F(Light, AreFoundByTheirDensity)
   EXPECT_TRUE(has_store(2.6, "coupling implicit"));
 }
 
+// Also with many ghosts, for which there must be room in LAMMPS's buffers.
+TEST_F(Light, ManyBecomeLightInARun)
+{
+  start();
+  std::string text = box({40, 40, 40});
+  for (int k = 0; k < 512; k++)
+    text += grain(k + 1, {5.0 * (k % 8) + 2.5, 5.0 * (k / 8 % 8) + 2.5, 5.0 * (k / 64) + 2.5}, 2.2,
+                  {1e-4 * std::sin(k), 0, 1e-4 * std::cos(k)});
+  script(text + integrator() + fluid() + run(4));
+  EXPECT_EQ(lmp->modify->get_fix_by_id("w_LIGHT"), nullptr);
+  script("set group all density 100\nrun 6 pre no post no");
+  ASSERT_NE(lmp->modify->get_fix_by_id("w_LIGHT"), nullptr);
+  Triple sum{};    // fluid and grains drag each other: nothing but links acts
+  for (int i = 0; i < lmp->atom->nlocal; i++)
+    for (int d = 0; d < 3; d++) sum[d] += lmp->atom->v[i][d];
+  EXPECT_TRUE(std::isfinite(sum[0] + sum[1] + sum[2]));
+  for (int i = 0; i < 3; i++) EXPECT_LT(std::fabs(sum[i]), 512 * 1e-4);
+}
+
 // Many, some of them less than a cell apart: what sloshes in such gaps throws none of them. With
 // the force of single steps not even those of sand, unless they are coupled explicitly.
 TEST_F(Light, ManyWithNarrowGaps)

@@ -221,6 +221,8 @@ TEST_F(RestartRanks, MomentumIsKept)
           102,
           200};
   compare_restarts(s);
+  s.before = 4 * 28;    // where a new force has just been found
+  compare_restarts(s);
 }
 
 TEST_F(RestartRanks, SinglePrecision)

@@ -174,9 +174,9 @@ TEST_F(StopsOnRanks, LightGrainCoupledExplicitly)
 
 TEST_F(StopsOnRanks, ForcesOfSingleSteps)
 {
-  const std::string message =
-      stops(still() + "\nset atom 1 density 10",
-            fluid("coupling explicit average no accel 1e-2 0 0") + "\nfix m all nve/sphere" + run(50));
+  const std::string message = stops(still() + "\nset atom 1 density 10",
+                                    fluid("coupling explicit average no accel 1e-2 0 0") +
+                                        "\nfix m all nve/sphere" + run(50));
   EXPECT_IN(message, "Likely cause: the force of a single fluid step throws the grain to and fro");
 }
 
