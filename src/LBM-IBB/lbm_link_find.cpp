@@ -15,13 +15,14 @@ namespace {
            Links &links) :
         at(at),
         cover(cover), decode(at), s(s), owner(cover.owner()), c(cover.centre(s)),
-        obstacle(cover.is_obstacle(s)), open_faces(cover.has_open_faces()), links(links),
-        first_hidden(links.hidden.size())
+        obstacle(cover.is_obstacle(s)), links(links), first_hidden(links.hidden.size())
     {
       const Region near = nodes_with_links(cover, s);
       for (int d = 0; d < 3; d++) {
         lo[d] = std::max(near.lo[d], region.lo[d]);
         hi[d] = std::min(near.hi[d], region.hi[d]);
+        at_wall = at_wall || at_face(d, Cover::WALL);
+        at_open_face = at_open_face || at_face(d, Cover::OPEN);
       }
     }
 
@@ -41,18 +42,24 @@ namespace {
     }
 
    private:
+    bool at_face(int d, Cover::Side side) const
+    {
+      return (lo[d] == 0 && cover.behind(d, 0) == side) ||
+          (hi[d] == at.n[d] - 1 && cover.behind(d, 1) == side);
+    }
+
     const Layout &at;
     const Cover &cover;
     const Decoder decode;
     const std::size_t s;
     const int32_t *owner;
     const Vec3 c;
-    const bool obstacle, open_faces;
+    const bool obstacle;
+    bool at_wall = false, at_open_face = false;    // some of the nodes looked at
     Links &links;
     const std::size_t first_hidden;
     Int3 lo{}, hi{};
     int x0 = 0;    // node of bit 0
-    std::vector<std::size_t> at_open_face;
 
     // rows from one below lo to one above hi
     Bits &bits(int y, int z)
@@ -101,7 +108,7 @@ namespace {
         for (int y = span(z, 0).first; y <= span(z, 0).last; y++) {
           const Bits &here = bits(y, z);
           const auto fluid = [&](int dy, int dz) {
-            if (walled(1, y + dy) || walled(2, z + dz)) return uint64_t(0);
+            if (at_wall && (walled(1, y + dy) || walled(2, z + dz))) return uint64_t(0);
             return bits(y + dy, z + dz).negative & water;
           };
           const uint64_t with = here.equal << 1 | (here.equal >> 1 & here.negative << 1);
@@ -177,7 +184,6 @@ namespace {
           const uint64_t found = window & ~here->equal & seen_from<ex>(ahead->equal);
           const uint64_t fluid = found & here->negative;
           const uint64_t free = fluid & seen_from<-ex>(behind->negative);
-          if (open_faces) look_for_open_face(i, free, row, std::size_t(end - links.node.data()));
           end = append_bits(free, row, end);    // most rows have some: to ask first costs more
           if (free == found) continue;
           if (fluid != found && !obstacle) hide(i, found & ~fluid, y, z);
@@ -195,14 +201,6 @@ namespace {
       links.node.resize(2 * most);
     }
 
-    // of the links of a row, which begin with this one
-    void look_for_open_face(int i, uint64_t found, Index row, std::size_t link)
-    {
-      const Index back = -at.offset(L::e[i]);
-      for (; found; found &= found - 1, link++)
-        if (owner[row + __builtin_ctzll(found) + back] == OUTSIDE) at_open_face.push_back(link);
-    }
-
     void set_fractions(int i, std::size_t begin)
     {
       const double r = cover.spheres()[s].radius;
@@ -216,8 +214,15 @@ namespace {
         for (std::size_t k = begin; k < links.size; k += SIMD_WIDTH)    // the arrays reach further
           store(q + k, fractions(node + k, centre, e, V{} + r));
       }
-      for (std::size_t k : at_open_face) q[k] = 0.5;
-      at_open_face.clear();
+      if (at_open_face) halve_at_open_face(i, begin);
+    }
+
+    // where no x_f' is known
+    void halve_at_open_face(int i, std::size_t begin)
+    {
+      const Index back = -at.offset(L::e[i]);
+      for (std::size_t k = begin; k < links.size; k++)
+        if (owner[links.node[k] + back] == OUTSIDE) links.q[k] = 0.5;
     }
 
     using V = Pack<SIMD_WIDTH>;
