@@ -17,6 +17,7 @@ AXES = {"flow": (("tau", r"$\tau$"), ("Ma", "Ma of the water that enters"), ("co
         "contact": (("every", r"granular steps per fluid step; $k_n \propto$ its square"),
                     ("contact", "time steps per contact"), ("rho", "e")),
         "free": (("ratio", r"$\rho_s/\rho$"), ("r", r"$r/\Delta x$"), ("coupling",)),
+        "crowd": (("ratio", r"$\rho_s/\rho$"), ("tau", r"$\tau$"), ("coupling", "average")),
         "column": (("tau", r"$\tau$"), ("excess", r"$\Delta p/\rho c_s^2$"), ("ramp",)),
         "pair": (("gap", r"gap$/\Delta x$"), ("mode", ""), ()),
         "dense": (("phi", "solid fraction"), ("cells", "cells per period"), ()),

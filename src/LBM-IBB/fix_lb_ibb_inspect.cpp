@@ -147,6 +147,10 @@ void FixLbIbb::stop_for_trouble()
     cause =
         "the fluid around it is unstable, or another fix or the pair style gave it such a force; "
         "use a smaller check to see where it begins";
+  else if (fluid_steps == 1 && t.density < 0.5 && t.value < 2.0 * t.speed)
+    cause =
+        "until the first fluid step so light a grain falls as if there were no water; ramp what "
+        "drives it over some fluid steps, or reduce timestep or every";
   else if (t.loose > 0.0)
     cause = cause_of_loose();
   else if (t.kind == Trouble::FAST && t.value - t.speed > t.speed)

@@ -118,7 +118,8 @@ double FixLbIbb::density_ratio(int i) const
 bool FixLbIbb::below_limit(int i) const
 {
   return !options.average ||
-      density_ratio(i) * hydrodynamic_radius(i) / options.dx < lbm::LIGHT_LIMIT;
+      density_ratio(i) <
+      lbm::light_below(hydrodynamic_radius(i) / options.dx, units.tau(options.nu));
 }
 
 // Storage, once there are grains that need it. Collective.

@@ -16,10 +16,7 @@ namespace lbm {
 
 constexpr double MACH_WARN = 0.1, MACH_LIMIT = 0.3;          // Mansouri et al. 2016, section 3.2
 constexpr double EXCESS_WARN = 0.05, EXCESS_LIMIT = 0.20;    // of the density
-// Density ratio times radius in cells below which a held force, the mean of two steps, may throw a
-// grain back and forth: twice what was found
-constexpr double LIGHT_LIMIT = 1.6;
-constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;    // cells per radius, section 4.1
+constexpr double RADIUS_WARN = 3.5, RADIUS_LIMIT = 2.0;      // cells per radius, section 4.1
 constexpr double TAU_LOW = 0.51, TAU_HIGH = 3.0;
 constexpr int EVERY_WARN = 1000;    // granular steps per fluid step
 
@@ -27,6 +24,16 @@ constexpr int EVERY_WARN = 1000;    // granular steps per fluid step
 inline double mach(double speed)
 {
   return speed * std::sqrt(3.0);
+}
+
+// Density ratio below which a force that is held for a fluid step, the mean of two of them, may throw a
+// grain of r cells back and forth: by the water it has to move along, or, where nu is large, by friction
+// that turns it the other way, of 15 nu/(ratio r^2) per step alone in Stokes flow. With what more narrow
+// gaps ask for: doc/stability.md, crowds.
+inline double light_below(double r, double tau)
+{
+  const double nu = (tau - 0.5) / 3.0;
+  return std::fmax(2.5 / r, 15.0 * nu / (r * r));
 }
 
 struct Finding {

@@ -176,9 +176,11 @@ TEST_F(Light, AreFoundByTheirDensity)
            more + run(1));
     return lmp->modify->get_fix_by_id("w_LIGHT") != nullptr;
   };
-  // 1.6 / 3.3 with the mean of two steps, all with one
-  EXPECT_TRUE(has_store(0.48, ""));
-  EXPECT_FALSE(has_store(0.49, ""));
+  // 2.5 / r with the mean of two steps, r = 3.3, or 5 (tau - 1/2) / r^2; all with one
+  EXPECT_TRUE(has_store(0.75, ""));
+  EXPECT_FALSE(has_store(0.77, ""));
+  EXPECT_TRUE(has_store(1.1, "every 10"));     // tau = 3.5
+  EXPECT_FALSE(has_store(1.4, "every 10"));
   EXPECT_TRUE(has_store(10.0, "average no"));
   EXPECT_FALSE(has_store(0.01, "coupling explicit"));
   EXPECT_TRUE(has_store(2.6, "coupling implicit"));

@@ -172,6 +172,15 @@ TEST_F(StopsOnRanks, LightGrainCoupledExplicitly)
             "density 0.01 rho; tau = 0.8000. Likely cause: the grain is too light to be coupled");
 }
 
+TEST_F(StopsOnRanks, LightGrainFallsBeforeTheFirstStep)
+{
+  const std::string message =
+      stops(still() + "\nset atom 1 density 10",
+            fluid("every 4 buoyancy 0 0 -1") + "\ntimestep " + num(DT / 4) +
+                "\nfix m all nve/sphere\nfix g all gravity 1 vector 0 0 -1" + run(50));
+  EXPECT_IN(message, "Likely cause: until the first fluid step so light a grain falls");
+}
+
 TEST_F(StopsOnRanks, ForcesOfSingleSteps)
 {
   const std::string message = stops(still() + "\nset atom 1 density 10",
