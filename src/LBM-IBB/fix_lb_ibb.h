@@ -226,6 +226,7 @@ class FixLbIbb : public Fix {
   void correct_fluid();
   void keep_responses();
   bigint light_grains() const;
+  void warn_of_loose();
 
   // restart files, in fix_lb_ibb_restart.cpp
   struct Saved;             // what LAMMPS's own file holds of the fluid

@@ -32,7 +32,7 @@ using lbm::Vec3;
 // Would it have to be coupled implicitly, but is not?
 bool FixLbIbb::is_loose(int i) const
 {
-  return is_driven(i) && below_limit(i) && !is_light(i);
+  return is_driven(i) && !(atom->mask[i] & set_bits) && below_limit(i) && !is_light(i);
 }
 
 std::string FixLbIbb::cause_of_loose() const

@@ -25,6 +25,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "error.h"
 #include "fix_store_atom.h"
 #include "force.h"
 #include "group.h"
@@ -267,11 +268,22 @@ void FixLbIbb::keep_responses()
   }
 }
 
-// of all ranks
+// Grains that are coupled implicitly; those that would have to be, but are not. Of all ranks.
 bigint FixLbIbb::light_grains() const
 {
   bigint mine = 0, all;
   for (int i = 0; i < atom->nlocal; i++) mine += is_light(i);
   MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   return all;
+}
+
+void FixLbIbb::warn_of_loose()
+{
+  if (!atom->rmass_flag || !atom->radius_flag) return;
+  bigint mine = 0, all;
+  for (int i = 0; i < atom->nlocal; i++) mine += (atom->mask[i] & groupbit) && is_loose(i);
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all > 0 && comm->me == 0)
+    error->warning(FLERR, "Fix lb/ibb: {} grains may be thrown to and fro by the water: {}", all,
+                   cause_of_loose());
 }

@@ -285,6 +285,13 @@ void FixLbIbb::provide_ghosts()
   double smallest;
   const double largest = largest_radius(smallest);
   if (largest <= 0.0) return;
+  for (int d = 0; d < domain->dimension; d++)    // its images would be without number
+    if (domain->periodicity[d] && largest > domain->prd[d])
+      error->all(FLERR,
+                 "Fix lb/ibb: the largest hydrodynamic radius, {:.6g}, is larger than the periodic "
+                 "box, {:.6g} "
+                 "along {}: set diameters (LAMMPS gives atoms a diameter of 1)",
+                 largest, domain->prd[d], "xyz"[d]);
   // what overlaps a grain of a clump, for its volume, may lie further away than what covers a node
   const bool clumps = has_clumps() && largest > 2.0 * options.dx;
   const double need = largest + (clumps ? largest : 2.0 * options.dx) + neighbor->skin;
@@ -326,5 +333,6 @@ void FixLbIbb::review_setup()
       error->all(FLERR, "Fix lb/ibb: {} (see doc/src/Howto_lbm_ibb.rst)", finding.text);
     if (comm->me == 0) error->warning(FLERR, "Fix lb/ibb: {}", finding.text);
   }
+  warn_of_loose();
   print_summary(plan.smallest_radius, largest, now.pressure_difference);
 }

@@ -40,7 +40,8 @@ TEST_F(Refusals, WordsOfTheLine)
 {
   EXPECT_IN(refused_line("dx 1e-4 nu 1e-6"), "missing");
   EXPECT_IN(refused_line("nu 1e-6 dx 1e-4 rho 1000"), "expected 'dx', not 'nu'");
-  EXPECT_IN(refused_line("dx 1e-4 nu 1e-6 rho water"), "Expected floating point parameter instead of 'water'");
+  EXPECT_IN(refused_line("dx 1e-4 nu 1e-6 rho water"),
+            "Expected floating point parameter instead of 'water'");
   EXPECT_IN(refused_line("dx 0 nu 1e-6 rho 1000"), "dx = 0 must be larger than 0");
   EXPECT_IN(refused_line("dx 1e-4 nu -1e-6 rho 1000"), "nu = -1e-06 must be larger than 0");
   EXPECT_IN(refused_line("dx 1e-4 nu 1e-6 rho 0"), "rho = 0 must be larger than 0");
@@ -66,8 +67,9 @@ TEST_F(Refusals, WordsOfTheLine)
   EXPECT_IN(refusal("buoyancy 0 0 v_g"), "variable g does not exist: define it before the run");
   // all that the contract names is taken
   EXPECT_EQ(
-      refusal("every 2 collision trt 0.25 link bouzidi refill equilibrium accel 0 0 1e-3 gradp "
-              "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no conserve no check 50 precision single"),
+      refusal(
+          "every 2 collision trt 0.25 link bouzidi refill equilibrium accel 0 0 1e-3 gradp "
+          "0 0 1 buoyancy 0 0 -9.81 shrink 1e-5 average no conserve no check 50 precision single"),
       "");
   EXPECT_EQ(refusal("collision bgk link halfway refill grad average yes precision double"), "");
 }
@@ -81,7 +83,8 @@ TEST_F(Refusals, VariablesOfTheWrongStyle)
                    fluid("face zlo wall face zhi pressure v_p") + run(0),
                "variable p is not of style equal");
   start();
-  EXPECT_ERROR(box({8, 8, 8}) + "\nvariable a equal exp(500*step)" + fluid("accel 0 v_a 0") + run(3),
+  EXPECT_ERROR(box({8, 8, 8}) + "\nvariable a equal exp(500*step)" + fluid("accel 0 v_a 0") +
+                   run(3),
                "Fix lb/ibb: variable a is inf at step 2");
 }
 
@@ -179,8 +182,9 @@ TEST_F(Refusals, PressureAndSpeedAtTheFaces)
 TEST_F(Refusals, DriveThatIsTooStrong)
 {
   EXPECT_EQ(refusal("accel 34 0 0"), "");
-  EXPECT_IN(refusal("accel 35 0 0"),
-            "accel and gradp give the fluid a speed of 0.0175 within half a fluid step, Ma = 0.303");
+  EXPECT_IN(
+      refusal("accel 35 0 0"),
+      "accel and gradp give the fluid a speed of 0.0175 within half a fluid step, Ma = 0.303");
   EXPECT_IN(refusal("gradp 0 0 35000"), "Ma = 0.303 of the lattice's sound speed, limit 0.3");
   EXPECT_IN(refusal("accel 0 1e308 0"), "limit 0.3: reduce them, or the fluid time step");
 }
@@ -198,6 +202,10 @@ TEST_F(Refusals, Radii)
   EXPECT_ERROR(scene(1.9, ""), "radius 0.00019 is 1.9 cells, limit 2: use dx <= 9.5e-05");
   EXPECT_ERROR(scene(3.0, "shrink 1.1e-4"), "is 1.9 cells, limit 2");
   EXPECT_ERROR(scene(3.0, "shrink 3.1e-4"), "must be larger than 0");
+  start();
+  EXPECT_ERROR(
+      box({12, 12, 12}) + "\ncreate_atoms 1 single 6e-4 6e-4 6e-4" + fluid() + run(0),
+      "the largest hydrodynamic radius, 0.5, is larger than the periodic box, 0.0012 along x");
   // a grain that comes later
   start();
   std::ofstream("small.mol") << "one grain\n\n1 atoms\n\nCoords\n\n1 0 0 0\n\nTypes\n\n1 1\n\n"

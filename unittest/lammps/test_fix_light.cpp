@@ -179,7 +179,7 @@ TEST_F(Light, AreFoundByTheirDensity)
   // 2.5 / r with the mean of two steps, r = 3.3, or 5 (tau - 1/2) / r^2; all with one
   EXPECT_TRUE(has_store(0.75, ""));
   EXPECT_FALSE(has_store(0.77, ""));
-  EXPECT_TRUE(has_store(1.1, "every 10"));     // tau = 3.5
+  EXPECT_TRUE(has_store(1.1, "every 10"));    // tau = 3.5
   EXPECT_FALSE(has_store(1.4, "every 10"));
   EXPECT_TRUE(has_store(10.0, "average no"));
   EXPECT_FALSE(has_store(0.01, "coupling explicit"));
@@ -236,6 +236,21 @@ TEST_F(Light, ManyWithNarrowGaps)
 
 TEST_F(Light, AHeldForceThrowsThem)
 {
+  const auto warnings = [&](double ratio, const std::string &options, const std::string &fixes) {
+    start();
+    return log_of(box({28, 15, 13}) + grain(1, {6.3, 5.1, 6.9}, R) + grain(2, {20.3, 5.1, 6.9}, R) +
+                  "\nset group all density " + num(ratio * RHO) + fixes + fluid(options) + run(1));
+  };
+  const std::string thrown = "2 grains may be thrown to and fro by the water";
+  EXPECT_IN(warnings(0.5, "coupling explicit", integrator()), thrown);
+  EXPECT_IN(warnings(0.5, "", "\nfix m all rigid single"), thrown);
+  EXPECT_IN(warnings(2.6, "average no", "\nfix m all rigid single"), thrown);
+  for (const auto &text :
+       {warnings(0.5, "", integrator()), warnings(2.6, "", "\nfix m all rigid single"),
+        warnings(0.5, "", "\nfix m all move linear 0 0 0"),
+        warnings(0.5, "coupling explicit", integrator() + frozen())})
+    EXPECT_EQ(text.find(thrown), std::string::npos);
+  start();
   EXPECT_IN(error_of(in_duct(false) + ball_of(0.01, {9.1, 4.3, 8.8}) + integrator() +
                      "\nfix push all addforce 0 " + num(newton()) + " 0" +
                      fluid(duct() + "coupling explicit check 1") + run(400)),
