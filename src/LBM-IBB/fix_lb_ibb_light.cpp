@@ -86,7 +86,7 @@ void FixLbIbb::find_integrators()
     const auto is = [&](const char *style) {
       return utils::strmatch(other->style, style);
     };
-    if (is("^freeze") || is("^move"))
+    if (is("^freeze") || is("^move") || is("^nve/noforce"))
       held_bits |= other->groupbit;
     else if (other->time_integrate)
       moving_bits |= other->groupbit;

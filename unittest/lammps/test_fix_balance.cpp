@@ -172,6 +172,7 @@ TEST_F(BalanceOfFix, IsThereWhereNothingHolds)
   for (const auto &[boundary, fixes, options] :
        {std::array<std::string, 3>{"p p p", "\nfix ice all freeze", ""},
         {"p p p", "\nfix m all move linear 1e-3 0 0", ""},
+        {"p p p", "\nfix m all nve/noforce", ""},
         {"p p p", free + "\nfix s all setforce 0 0 0", ""},
         {"p p p", free + "\nregion o sphere 1e-4 1e-4 11e-4 1e-4", "obstacle o"},
         {"p p p", free, "conserve no"},
