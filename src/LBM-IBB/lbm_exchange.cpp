@@ -29,15 +29,14 @@ namespace {
   // how far ahead of their use the slots of links are fetched
   constexpr int PACKS_AHEAD = 8;
 
-  template <class L, class Rule, Motion motion, bool ledger, bool yields, int W>
+  template <class L, class Rule, Motion motion, bool ledger, bool answer, class V>
   LBM_INLINE inline void
   bounce_back_pack(const Decoder &decode, const LinkSlots<L> &slot, const Sphere &sphere,
                    const Vec3 &centre, const int (&e)[3], double weight, double refund,
                    const int32_t *n, const double *fractions, const float *drho,
-                   Sums<Pack<W>, ledger> &sums, ReachSums<Pack<W>, yields> &reach,
-                   [[maybe_unused]] const Turn &turn)
+                   Sums<V, ledger> &sums, ReachSums<V, answer> &reach)
   {
-    using V = Pack<W>;
+    constexpr int W = SIMD_WIDTH;
     const V q = load<V>(fractions);
     V arm[3];    // x_w - c
     decode(load<PackInt<W>>(n), arm);
@@ -61,7 +60,10 @@ namespace {
       back = back + refund;
     }
     exchange<motion>(sums, e, weight, out, back, arm, wall);
-    if constexpr (yields) reach.add(c.c4, turn.component(0, arm), turn.component(1, arm));
+    if constexpr (answer) {
+      const Axis axis(e);
+      reach.add(c.c4, arm[axis.s], arm[axis.t]);
+    }
     scatter<W>(slot.w, n, back);
   }
 
@@ -168,10 +170,9 @@ namespace {
   }
 
   // the sphere ahead is one, those behind differ
-  template <class L, class Rule, Motion motion, bool ledger, bool yields>
+  template <class L, class Rule, Motion motion, bool ledger>
   void close_group(const Layout &at, const Slots<L> &f, const Cover &cover, const Gaps &gaps,
-                   const LinkGroup &group, const float *drho, std::vector<Load> &loads,
-                   [[maybe_unused]] std::vector<Load> &in_gaps)
+                   const LinkGroup &group, const float *drho, std::vector<Load> &loads)
   {
     constexpr int W = SIMD_WIDTH;
     using V = Pack<W>;
@@ -193,11 +194,9 @@ namespace {
       sums.add_first(of_pack[0], n);
       const auto &back = L::e[opposite<L>(i)];
       add_each<motion>(of_pack[1], sphere.p, n, back, L::w[i], loads);
-      if constexpr (yields) add_each<motion>(of_pack[1], sphere.p, n, back, L::w[i], in_gaps);
     }
     sums.area = 2.0 * L::w[i] * double(group.end - group.begin);
     add_all<motion>(sums, L::e[i], loads[group.sphere]);
-    if constexpr (yields) add_all<motion>(sums, L::e[i], in_gaps[group.sphere]);
   }
 
   void add_pressure(const Cover &cover, const Hidden &hidden, int32_t sphere, double p,
@@ -230,13 +229,13 @@ namespace {
 
 template <class L, class Rule, Motion motion, bool ledger, bool yields>
 void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
-                 const float *drho, std::vector<Load> &loads, [[maybe_unused]] Yields &of_yielding)
+                 const float *drho, std::vector<Load> &loads, [[maybe_unused]] Yields &yielding)
 {
   constexpr int W = SIMD_WIDTH;
   const Decoder decode(at);
   Sums<Pack<W>, ledger> sums;
   ReadAhead ahead(
-      links, links.first, PACKS_AHEAD,
+      links, PACKS_AHEAD,
       [&](int i) {
         return LinkSlots<L>(at, f, i);
       },
@@ -247,52 +246,57 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
         if constexpr (motion != Motion::REST) __builtin_prefetch(drho + n);
         __builtin_prefetch(slot.w + n, 1);
       });
-  for (std::size_t g = links.first; g < links.groups.size(); g++) {
+  for (std::size_t g = 0; g < links.groups.size(); g++) {
     const LinkGroup &group = links.groups[g];
     const int i = group.direction;
     const LinkSlots<L> slot(at, f, i);
     const Sphere &sphere = cover.spheres()[group.sphere];
     const Vec3 c = cover.centre(group.sphere);
     const double refund = L::w[i] * sphere.refund;
-    const Turn turn(L::e[i]);
-    ReachSums<Pack<W>, yields> reach;
-    [[maybe_unused]] Reach *const of_group =
-        yields ? &of_yielding.reaches[size_t(group.sphere) * L::Q + i] : nullptr;
-    if constexpr (yields) {
-      __builtin_prefetch(&of_group->links, 1);
-      __builtin_prefetch(&of_group->sums[REACH - 1], 1);
-    }
     const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to,
                                  auto &reach) LBM_INLINE {
       ahead.next();
-      bounce_back_pack<L, Rule, motion, ledger, yields, W>(
-          decode, slot, sphere, c, L::e[i], L::w[i], refund, nodes, q, drho, to, reach, turn);
+      bounce_back_pack<L, Rule, motion, ledger>(decode, slot, sphere, c, L::e[i], L::w[i], refund,
+                                                nodes, q, drho, to, reach);
     };
-    std::size_t k = group.begin;
-    for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums, reach);
-    if (k < group.end) {
+    const auto bounce_group = [&](auto &reach) LBM_INLINE {
+      std::size_t k = group.begin;
+      for (; k + W <= group.end; k += W) bounce_pack(&links.node[k], &links.q[k], sums, reach);
+      if (k == group.end) return;
       const int n = int(group.end - k);
       const Tail<int32_t> node(&links.node[k], n);
       const Tail<double> q(&links.q[k], n);
       Sums<Pack<W>, ledger> with_copies;
-      ReachSums<Pack<W>, yields> reach_of_copies;
-      bounce_pack(node.p, q.p, with_copies, reach_of_copies);
+      reach.only(n);
+      bounce_pack(node.p, q.p, with_copies, reach);
       sums.add_first(with_copies, n);
-      reach.add_first(reach_of_copies, n);
-    }
+    };
     const double size = double(group.end - group.begin);
+    bool done = false;
+    if constexpr (yields)
+      if (sphere.yields && answers<L>(i)) {
+        Reach &sum = yielding.reaches[reach_of<L>(group.sphere, i)];
+        __builtin_prefetch(&sum.links, 1);
+        __builtin_prefetch(&sum.sums[REACH - 1], 1);
+        ReachSums<Pack<W>, true> reach(yielding.answers.add(group, &links.node[group.begin]));
+        bounce_group(reach);
+        reach.add_to(sum, size);
+        done = true;
+      }
+    if (!done) {
+      ReachSums<Pack<W>, false> none;
+      bounce_group(none);
+    }
     sums.area += 2.0 * L::w[i] * size;
     const bool last = g + 1 == links.groups.size() || links.groups[g + 1].sphere != group.sphere;
     if (last || motion == Motion::REST) {
       add_all<motion>(sums, L::e[i], loads[group.sphere]);
       sums = {};
     }
-    if constexpr (yields)
-      if (sphere.yields) reach.add_to(*of_group, size);
   }
   for (const LinkGroup &group : links.gaps.groups)
-    close_group<L, Rule, motion, ledger, yields>(at, f, cover, links.gaps, group, drho, loads,
-                                                 of_yielding.in_gaps);
+    close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho,
+                                         yields ? yielding.in_gaps : loads);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
 }
 

@@ -57,17 +57,9 @@ double Gaps::bytes() const
 void Links::clear()
 {
   groups.clear();
-  first = 0;
   gaps.clear();
   hidden.clear();
   size = 0;
-}
-
-void Links::settle()
-{
-  first = groups.size();
-  gaps.clear();
-  hidden.clear();
 }
 
 void Links::trim()

@@ -58,7 +58,6 @@ struct Hidden {
 
 struct Links {
   std::vector<LinkGroup> groups;
-  std::size_t first = 0;        // of the groups to bounce back: those before have
   std::vector<int32_t> node;    // index of x_f
   std::vector<double> q;
   std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
@@ -73,7 +72,6 @@ struct Links {
   std::vector<Span> spans;
 
   void clear();     // all but the pockets, which wait for the links of all spheres
-  void settle();    // all have bounced back; groups alone are kept
   void trim();      // give back what is allocated and not in use, scratch too
   double bytes() const;
 };

@@ -32,7 +32,8 @@ void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const flo
     return s.yields;
   });
   responses_.clear();
-  yields_.reaches.assign(any_yields_ ? L::Q * spheres.size() : 0, {});
+  yields_.reaches.assign(any_yields_ ? REACHES<L> * spheres.size() : 0, {});
+  yields_.answers.clear();
   yields_.in_gaps.assign(any_yields_ ? spheres.size() : 0, {});
   if (moved_) kept_ = false;
   if (kept_) return;
@@ -41,8 +42,6 @@ void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const flo
     list.clear();
     list.pockets.clear();
   }
-  yielding_.clear();
-  yielding_.pockets.clear();
   links_ = gaps_ = 0;
   if (tiles_.cut()) find_near();
 }
@@ -85,9 +84,11 @@ template <class L> void LinkPass<L>::outermost(const Slots<L> &f)
     bounce_kept(tiles_.count(), f);
     kept_ = true;
   }
-  for (std::size_t s = 0; any_yields_ && s < cover_->spheres().size() && !cover_->is_obstacle(s);
-       s++)
-    responses_.push_back(response<L>(&yields_.reaches[L::Q * s], yields_.in_gaps[s]));
+  for (std::size_t s = 0; any_yields_ && s < cover_->spheres().size(); s++) {
+    (*loads_)[s] += yields_.in_gaps[s];
+    if (!cover_->is_obstacle(s))
+      responses_.push_back(response<L>(&yields_.reaches[REACHES<L> * s], yields_.in_gaps[s]));
+  }
 }
 
 template <class L> void LinkPass<L>::bounce_kept(std::size_t k, const Slots<L> &f)
@@ -96,23 +97,19 @@ template <class L> void LinkPass<L>::bounce_kept(std::size_t k, const Slots<L> &
   bounce(lists_[k], any_yields_, f);
 }
 
-// links of one sphere; if it moves they are used at once, and kept only if it yields
+// links of one sphere; if it moves they are used at once and not kept
 template <class L>
 void LinkPass<L>::find(std::size_t s, const Region &region, std::size_t k, const Slots<L> &f)
 {
-  const bool yields = cover_->spheres()[s].yields;
-  Links &list = !moved_ ? lists_[k] : yields ? yielding_ : lists_[0];
+  Links &list = lists_[moved_ ? 0 : k];
   const std::size_t links = list.size, gaps = list.gaps.size;
   find_links<L>(at_, *cover_, s, region, list);
   links_ += list.size - links + 2 * (list.gaps.size - gaps);
   gaps_ += list.gaps.size - gaps;
   if (!moved_) return;
   // of the spheres at the two ends of a gap either may yield
-  bounce(list, yields || (any_yields_ && list.gaps.size > 0), f);
-  if (yields)
-    list.settle();
-  else
-    list.clear();
+  bounce(list, cover_->spheres()[s].yields || (any_yields_ && list.gaps.size > 0), f);
+  list.clear();
 }
 
 template <class L> template <class F> void LinkPass<L>::with_rule(F &&f) const
@@ -163,7 +160,7 @@ void LinkPass<L>::bounce_in(const Links &links, const Slots<L> &f)
 
 template <class L> double LinkPass<L>::fill_pockets(const Slots<L> &f, const Vec3 &force) const
 {
-  double gain = lbm::fill_pockets<L>(at_, f, *cover_, yielding_.pockets, force);
+  double gain = 0.0;
   for (const Links &list : lists_)
     gain += lbm::fill_pockets<L>(at_, f, *cover_, list.pockets, force);
   return gain;
@@ -174,15 +171,9 @@ Taken LinkPass<L>::correct(const Slots<L> &f, const std::vector<Gain> &gains) co
 {
   Taken sum;
   if (yields_.reaches.empty()) return sum;
-  with_rule([&](auto rule) {
-    using Rule = decltype(rule);
-    if (moved_)
-      lbm::correct<L, Rule>(at_, f, *cover_, yielding_, gains);
-    else
-      for (const Links &list : lists_) lbm::correct<L, Rule>(at_, f, *cover_, list, gains);
-  });
+  lbm::correct<L>(at_, f, *cover_, yields_.answers, gains);
   for (std::size_t s = 0; s < gains.size(); s++) {
-    const Taken more = taken<L>(&yields_.reaches[L::Q * s], gains[s]);
+    const Taken more = taken<L>(&yields_.reaches[REACHES<L> * s], gains[s]);
     sum.displaced += more.displaced;
     sum.swallowed += more.swallowed;
   }
@@ -194,23 +185,19 @@ template <class L> void LinkPass<L>::recall(const Cover &cover)
   cover_ = &cover;
   moved_ = true;
   kept_ = false;
-  lists_.resize(1);
-  yielding_.clear();
-  yields_.reaches.assign(L::Q * cover.spheres().size(), {});
-  for (std::size_t s = 0; s < cover.spheres().size(); s++) {
-    if (!cover.spheres()[s].yields) continue;
-    find_links<L>(at_, cover, s, at_.all(), yielding_);
-  }
-  yielding_.settle();
-  yielding_.pockets.clear();
+  yields_.reaches.assign(REACHES<L> * cover.spheres().size(), {});
+  yields_.answers.clear();
+  Links links;
+  for (std::size_t s = 0; s < cover.spheres().size(); s++)
+    if (cover.spheres()[s].yields) find_links<L>(at_, cover, s, at_.all(), links);
   with_rule([&](auto rule) {
-    lbm::add_reaches<L, decltype(rule)>(at_, cover, yielding_, yields_.reaches);
+    lbm::recall<L, decltype(rule)>(at_, cover, links, yields_);
   });
 }
 
 template <class L> double LinkPass<L>::bytes() const
 {
-  double sum = yielding_.bytes();
+  double sum = yields_.answers.bytes();
   for (const Links &list : lists_) sum += list.bytes();
   return sum + double((first_near_.capacity() + near_.capacity()) * sizeof(uint32_t));
 }

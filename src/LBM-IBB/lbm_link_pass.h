@@ -64,7 +64,6 @@ template <class L> class LinkPass {
   Motion motion_ = Motion::REST;
   // of spheres that stay, by tile, the shell last; or one, of a moving sphere
   std::vector<Links> lists_;
-  Links yielding_;                // of moving spheres that yield
   Yields yields_;
   std::vector<Response> responses_;
   // spheres that may have links behind each tile k: near_[first_near_[k]] ...

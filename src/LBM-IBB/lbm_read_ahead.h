@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Walks through the links of a list some packs before they are used, and fetches what they will
+// Walks through a list of links, Links or another with groups and nodes, some packs before they are used, and fetches what they will
 // need: their nodes are scattered over more than the caches next to a core hold.
 
 #ifndef LBM_READ_AHEAD_H
@@ -13,12 +13,12 @@
 namespace lbm {
 
 // open(direction) gives what the links of a group have in common, fetch(that, node) fetches
-template <class Open, class Fetch> class ReadAhead {
+template <class List, class Open, class Fetch> class ReadAhead {
  public:
-  ReadAhead(const Links &links, std::size_t first, int packs, Open open, Fetch fetch) :
+  ReadAhead(const List &links, int packs, Open open, Fetch fetch) :
       links_(links), open_(open), fetch_(fetch), common_(open(1))
   {
-    begin(first);
+    begin(0);
     for (int k = 0; k < packs; k++) next();
   }
 
@@ -33,7 +33,7 @@ template <class Open, class Fetch> class ReadAhead {
   }
 
  private:
-  const Links &links_;
+  const List &links_;
   const Open open_;
   const Fetch fetch_;
   std::invoke_result_t<Open, int> common_;

@@ -53,6 +53,18 @@ struct Load {
   // less what will be uncovered behind
   double displaced = 0.0;
 
+  Load &operator+=(const Load &more)
+  {
+    for (int d = 0; d < 3; d++) {
+      force[d] += more.force[d];
+      torque[d] += more.torque[d];
+    }
+    pressing += more.pressing;
+    area += more.area;
+    swallowed += more.swallowed;
+    displaced += more.displaced;
+    return *this;
+  }
   double drho() const { return area > 0.0 ? pressing / area : 0.0; }
 };
 

@@ -10,16 +10,36 @@
 namespace lbm {
 
 // how far ahead of its use a slot is fetched: from the memory
-constexpr int PACKS_AHEAD = 16;
+constexpr int PACKS_AHEAD = 32;
 
-// all of arm x e
-Vec3 Turn::complete(double s, double t) const
+void Answers::clear()
 {
-  Vec3 v;
-  v[first] = s;
-  v[second] = t;
-  v[third] = with[0] * s + with[1] * t;
-  return v;
+  groups.clear();
+  size = 0;
+}
+
+float *Answers::add(const LinkGroup &group, const int32_t *nodes)
+{
+  const std::size_t begin = size;
+  size += group.end - group.begin;
+  if (node.size() < size + SIMD_WIDTH) {
+    node.resize(2 * size + SIMD_WIDTH);
+    c4.resize(2 * size + SIMD_WIDTH);
+  }
+  groups.push_back({group.sphere, group.direction, uint32_t(begin), uint32_t(size)});
+  std::copy_n(nodes, size - begin, &node[begin]);
+  return &c4[begin];
+}
+
+double Answers::bytes() const
+{
+  return double(groups.capacity() * sizeof(LinkGroup) + node.capacity() * sizeof(int32_t) +
+                c4.capacity() * sizeof(float));
+}
+
+template <class L> constexpr double weight()    // of a link that answers, but for c4
+{
+  return ANSWER<L> * 3.0 * (L::D == 3 ? 1.0 / 18 : 1.0 / 9);
 }
 
 template <class L> Response response(const Reach *reaches, const Load &in_gaps)
@@ -29,100 +49,96 @@ template <class L> Response response(const Reach *reaches, const Load &in_gaps)
     response.in_gaps[d] = in_gaps.force[d];
     response.in_gaps[3 + d] = in_gaps.torque[d];
   }
-  for (int i = 1; i < L::Q; i++) {
-    const auto &[links, sums] = reaches[i];
-    if (links == 0.0) continue;
-    const int(&e)[3] = L::e[i];
-    const Turn two(e);
-    const Vec3 plain = two.complete(sums[S], sums[T]), turn = two.complete(sums[CS], sums[CT]);
-    Vec3 square[3];    // of (arm x e) (arm x e)^T
-    square[two.first] = two.complete(sums[CSS], sums[CST]);
-    square[two.second] = two.complete(sums[CST], sums[CTT]);
-    for (int d = 0; d < 3; d++)
-      square[two.third][d] =
-          two.with[0] * square[two.first][d] + two.with[1] * square[two.second][d];
-
-    const double three_w = 3.0 * L::w[i];
-    int n = 0;
-    for (int d = 0; d < 3; d++)
-      for (int c = 0; c <= d; c++) response.zeta[n++] += three_w * sums[C] * e[d] * e[c];
-    for (int d = 0; d < 3; d++) {
-      for (int c = 0; c < 3; c++) response.zeta[n++] += three_w * turn[d] * e[c];
-      for (int c = 0; c <= d; c++) response.zeta[n++] += three_w * square[d][c];
-      response.swallowed[d] += three_w * (sums[C] - 2.0 * links) * e[d];
-      response.swallowed[3 + d] += three_w * (turn[d] - 2.0 * plain[d]);
-    }
+  const auto zeta = [&](int i, int j) -> double & {
+    return response.zeta[std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j)];
+  };
+  for (int k = 0; k < REACHES<L>; k++) {
+    const auto &[links, sums] = reaches[k];
+    const Axis a(k / 2);
+    const double w = weight<L>(), we = k % 2 ? w : -w;
+    const int s = 3 + a.s, t = 3 + a.t;
+    zeta(a.axis, a.axis) += w * sums[C];
+    zeta(s, a.axis) += w * sums[CT];
+    zeta(t, a.axis) -= w * sums[CS];
+    zeta(s, s) += w * sums[CTT];
+    zeta(t, t) += w * sums[CSS];
+    zeta(s, t) -= w * sums[CST];
+    response.swallowed[a.axis] += we * (sums[C] - 2.0 * links);
+    response.swallowed[s] += we * (sums[CT] - 2.0 * sums[T]);
+    response.swallowed[t] -= we * (sums[CS] - 2.0 * sums[S]);
   }
   return response;
 }
 
-// the mass less per link is a e.du, of which 6 w e.du is what fluid at rest with the surface leaves
+// the mass less per link is a e.du, of which 2 a / c4 e.du is what fluid at rest with the surface
+// leaves
 template <class L> Taken taken(const Reach *reaches, const Gain &gain)
 {
   Taken taken;
-  for (int i = 1; i < L::Q; i++) {
-    const auto &[links, sums] = reaches[i];
-    const Turn two(L::e[i]);
-    const double along = dot(L::e[i], gain.velocity), three_w = 3.0 * L::w[i];
-    const double pushed = 2.0 * (links * along + dot(two.complete(sums[S], sums[T]), gain.spin));
-    const double less = sums[C] * along + dot(two.complete(sums[CS], sums[CT]), gain.spin);
-    taken.displaced -= three_w * pushed;
-    taken.swallowed += three_w * (less - pushed);
+  for (int k = 0; k < REACHES<L>; k++) {
+    const auto &[links, sums] = reaches[k];
+    const Axis a(k / 2);
+    const double w = weight<L>(), we = k % 2 ? w : -w;
+    const double along = gain.velocity[a.axis];
+    const double pushed =
+        2.0 * (links * along + sums[T] * gain.spin[a.s] - sums[S] * gain.spin[a.t]);
+    const double less = sums[C] * along + sums[CT] * gain.spin[a.s] - sums[CS] * gain.spin[a.t];
+    taken.displaced -= we * pushed;
+    taken.swallowed += we * (less - pushed);
   }
   return taken;
 }
 
 // in packs as bounce_back() makes them, so that a run that goes on does so to the bit
 template <class L, class Rule>
-void add_reaches(const Layout &at, const Cover &cover, const Links &links,
-                 std::vector<Reach> &reaches)
+void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yields)
 {
   constexpr int W = SIMD_WIDTH;
   using V = Pack<W>;
   const Decoder decode(at);
   for (const LinkGroup &group : links.groups) {
     const int(&e)[3] = L::e[group.direction];
+    if (!answers<L>(group.direction)) continue;
     const Vec3 centre = cover.centre(group.sphere);
-    const Turn turn(e);
-    ReachSums<V, true> sums;
+    const Axis axis(e);
     const auto add_pack = [&](const int32_t *node, const double *fractions, auto &to) LBM_INLINE {
       const V q = load<V>(fractions);
       V arm[3];
       decode(load<PackInt<W>>(node), arm);
       for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
-      to.add(Rule::template at<V>(q).c4, turn.component(0, arm), turn.component(1, arm));
+      to.add(Rule::template at<V>(q).c4, arm[axis.s], arm[axis.t]);
     };
+    ReachSums<V, true> sums(yields.answers.add(group, &links.node[group.begin]));
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W) add_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {
       const int n = int(group.end - k);
       const Tail<int32_t> node(&links.node[k], n);
       const Tail<double> q(&links.q[k], n);
-      ReachSums<V, true> with_copies;
-      add_pack(node.p, q.p, with_copies);
-      sums.add_first(with_copies, n);
+      sums.only(n);
+      add_pack(node.p, q.p, sums);
     }
-    sums.add_to(reaches[std::size_t(group.sphere) * L::Q + group.direction],
+    sums.add_to(yields.reaches[reach_of<L>(group.sphere, group.direction)],
                 double(group.end - group.begin));
   }
 }
 
-template <class L, class Rule>
-void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
+template <class L>
+void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Answers &answers,
              const std::vector<Gain> &gains)
 {
   constexpr int W = SIMD_WIDTH;
   using V = Pack<W>;
   const Decoder decode(at);
   ReadAhead ahead(
-      links, 0, PACKS_AHEAD,
+      answers, PACKS_AHEAD,
       [&](int i) {
         return f[opposite<L>(i)];
       },
       [](const typename L::Real *back, int32_t n) LBM_INLINE {
         __builtin_prefetch(back + n, 1);
       });
-  for (const LinkGroup &group : links.groups) {
+  for (const LinkGroup &group : answers.groups) {
     const Gain &gain = gains[group.sphere];
     const int i = group.direction;
     typename L::Real *back = f[opposite<L>(i)];
@@ -132,13 +148,13 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
     const double along = dot(L::e[i], gain.velocity) - dot(turn, cover.centre(group.sphere));
     for (std::size_t k = group.begin; k < group.end; k += W) {
       ahead.next();
-      if (!cover.spheres()[group.sphere].yields) continue;
-      const int32_t *node = &links.node[k];
+      const int32_t *node = &answers.node[k];
       V x[3];
       decode(load<PackInt<W>>(node), x);    // the last pack may end with links of the next group
-      const V c4 = Rule::template at<V>(load<V>(&links.q[k])).c4;
+      const V c4 = convert<V>(load<Pack<W, float>>(&answers.c4[k]));
       double less[W] = {};
-      store(less, 3.0 * L::w[i] * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
+      store(less,
+            weight<L>() * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
       const auto take = [&](int l) LBM_INLINE {
         back[node[l]] = typename L::Real(back[node[l]] - less[l]);
       };
@@ -150,17 +166,16 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Link
   }
 }
 
-#define LBM_INSTANTIATE_RULE(L, Rule)                                                            \
-  template void add_reaches<L, Rule>(const Layout &, const Cover &, const Links &,               \
-                                     std::vector<Reach> &);                                      \
-  template void correct<L, Rule>(const Layout &, const Slots<L> &, const Cover &, const Links &, \
-                                 const std::vector<Gain> &);
-#define LBM_INSTANTIATE(L)                                    \
-  template Response response<L>(const Reach *, const Load &); \
-  template Taken taken<L>(const Reach *, const Gain &);       \
-  LBM_INSTANTIATE_RULE(L, Halfway)                            \
-  LBM_INSTANTIATE_RULE(L, Bouzidi)                            \
-  LBM_INSTANTIATE_RULE(L, Cli)                                \
+#define LBM_INSTANTIATE_RULE(L, Rule) \
+  template void recall<L, Rule>(const Layout &, const Cover &, const Links &, Yields &);
+#define LBM_INSTANTIATE(L)                                                                         \
+  template Response response<L>(const Reach *, const Load &);                                      \
+  template Taken taken<L>(const Reach *, const Gain &);                                            \
+  template void correct<L>(const Layout &, const Slots<L> &, const Cover &, const Answers &,       \
+                           const std::vector<Gain> &);                                             \
+  LBM_INSTANTIATE_RULE(L, Halfway)                                                                 \
+  LBM_INSTANTIATE_RULE(L, Bouzidi)                                                                 \
+  LBM_INSTANTIATE_RULE(L, Cli)                                                                     \
   LBM_INSTANTIATE_RULE(L, Zhao)
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE

@@ -3,12 +3,18 @@
 //
 // A surface that moves by du faster than what was handed in would have got back, along a link,
 //     f_o - a e.du,    a = 3 w c4    (lbm_bounce_back.h)
-// so that with g = (e, arm x e) the sphere's load, force and torque, would have been
-//     F - zeta (du, dspin),    zeta = sum of a g g^T    (links of gaps left out)
+// Of the links those along the axes answer for all, ANSWER times as much, so that with
+// g = (e, arm x e) the sphere's load, force and torque, becomes
+//     F - zeta (du, dspin),    zeta = sum of ANSWER a g g^T    (links of gaps left out)
 // Whoever moves the sphere uses this load, implicitly, and says afterwards by how much the velocity
 // was larger in the mean: correct() then takes zeta du from the fluid, to round-off, along the same
 // links. Rest density is good enough for zeta, and terms of second order in velocity are left out
 // of it; F has both. Lattice units.
+//
+// Direction i has pi r^2 |e_i| links with a sphere in the mean, 2 r |e_i| with a disc, so that those
+// along axes have 1 / (1 + 2 sqrt 2) of the response to velocity and of that to spin, 1 / (1 + 1 /
+// sqrt 2) of a disc's. ANSWER makes it a third more than the whole: neighbours may cover some. With
+// half of it light grains in crowds are thrown to and fro; more slows their answer to the fluid.
 
 #ifndef LBM_YIELD_H
 #define LBM_YIELD_H
@@ -35,57 +41,71 @@ struct Taken {
   double displaced = 0.0, swallowed = 0.0;
 };
 
-// Two of the three components of arm x e, as products of the arm: the third, along an axis of e,
-// follows from them as (arm x e).e = 0.
-struct Turn {
-  int first, second, third;
-  double of[2][3] = {}, with[2] = {};    // the third one is with[0] s + with[1] t
-  explicit Turn(const int (&e)[3])
-  {
-    third = e[0] ? 0 : e[1] ? 1 : 2;
-    first = (third + 1) % 3;
-    second = (third + 2) % 3;
-    const int d[2] = {first, second};
-    for (int k = 0; k < 2; k++) {
-      of[k][d[k]] = 0.0;
-      of[k][(d[k] + 1) % 3] = e[(d[k] + 2) % 3];
-      of[k][(d[k] + 2) % 3] = -e[(d[k] + 1) % 3];
-      with[k] = -e[d[k]] * e[third];
-    }
-  }
-  template <class V> LBM_INLINE V component(int k, const V (&arm)[3]) const
-  {
-    return of[k][0] * arm[0] + of[k][1] * arm[1] + of[k][2] * arm[2];
-  }
-  Vec3 complete(double s, double t) const;
+template <class L> constexpr double ANSWER = L::D == 3 ? 5.0 : 2.25;
+// does direction i? All but these have two components or none
+template <class L> constexpr bool answers(int i)
+{
+  return L::e[i][0] * L::e[i][0] + L::e[i][1] * L::e[i][1] + L::e[i][2] * L::e[i][2] == 1;
+}
+// its axis, with the other two in cyclic order: arm x e = +-(0, arm_t, -arm_s) along (axis, s, t)
+struct Axis {
+  int axis, s, t;
+  explicit Axis(int a) : axis(a), s((a + 1) % 3), t((a + 2) % 3) {}
+  explicit Axis(const int (&e)[3]) : Axis(e[0] ? 0 : e[1] ? 1 : 2) {}
 };
 
-// Of the links of one direction of one sphere the response needs these sums alone, with c = c4 and
-// s, t the two components of Turn
+// Of the links of one sphere along one axis to one side the response needs these sums alone, with c
+// = c4 and s, t of the arm
 enum { C, S, T, CS, CT, CSS, CST, CTT, REACH };
 struct Reach {
   double links = 0.0, sums[REACH] = {};
 };
-// what is summed of spheres if any yields: reaches, Q of each sphere, and the part of its Load that
-// comes from gaps of one node, where it does not yield
+// by sphere: for each axis that against it and that along it
+template <class L> constexpr int REACHES = 2 * L::D;
+template <class L> constexpr std::size_t reach_of(std::size_t sphere, int i)
+{
+  const auto &e = L::e[i];
+  return sphere * REACHES<L> + (e[0] ? 0 : e[1] ? 2 : 4) + (e[0] + e[1] + e[2] > 0);
+}
+
+// links that answer, as they bounced back
+struct Answers {
+  std::vector<LinkGroup> groups;
+  std::vector<int32_t> node;    // index of x_f
+  std::vector<float> c4;
+  std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
+
+  void clear();
+  // links of one group; returns where their c4 go, in packs
+  float *add(const LinkGroup &group, const int32_t *nodes);
+  double bytes() const;
+};
+
+// what is kept of spheres if any yields: of those that do reaches and links; and of each what comes
+// from gaps of one node, which is still to be added to its Load
 struct Yields {
   std::vector<Reach> reaches;
+  Answers answers;
   std::vector<Load> in_gaps;
 };
-// in packs, or nothing for spheres that do not yield
-template <class V, bool yields> struct ReachSums {
-  V sums[REACH] = {};
-  LBM_INLINE void add(const V &c, const V &s, const V &t)
+
+// in packs, or nothing of links that do not answer
+template <class V, bool answer> struct ReachSums {
+  V sums[REACH] = {}, counts = V{} + 1.0;
+  float *c4;    // where those of the next pack are kept
+  explicit ReachSums(float *to) : c4(to) {}
+  // of packs to come the first n numbers count
+  void only(int n) { counts = first_of(counts, n, V{}); }
+  LBM_INLINE void add(const V &exact, const V &arm_s, const V &arm_t)
   {
+    using Rounded = Pack<SIMD_WIDTH, float>;
+    const Rounded all = convert<Rounded>(exact);
+    store(c4, all);
+    c4 += SIMD_WIDTH;
+    const V c = counts * convert<V>(all), s = counts * arm_s, t = counts * arm_t;
     const V cs = c * s, ct = c * t;
     const V more[REACH] = {c, s, t, cs, ct, cs * s, cs * t, ct * t};
     for (int n = 0; n < REACH; n++) sums[n] += more[n];
-  }
-  // of the first n numbers of each pack
-  void add_first(const ReachSums &other, int n)
-  {
-    const V keep = first_of(V{} + 1.0, n, V{});
-    for (int m = 0; m < REACH; m++) sums[m] += keep * other.sums[m];
   }
   void add_to(Reach &reach, double links) const
   {
@@ -94,21 +114,19 @@ template <class V, bool yields> struct ReachSums {
   }
 };
 template <class V> struct ReachSums<V, false> {
-  void add_first(const ReachSums &, int) {}
+  void only(int) {}
 };
 
-// of a sphere, from the reaches of its directions
+// of a sphere, from its reaches
 template <class L> Response response(const Reach *reaches, const Load &in_gaps);
 template <class L> Taken taken(const Reach *reaches, const Gain &gain);
 
-// the reaches of links that bounced back elsewhere, by sphere and direction
+// reaches and answers of links that bounced back elsewhere
 template <class L, class Rule>
-void add_reaches(const Layout &at, const Cover &cover, const Links &links,
-                 std::vector<Reach> &reaches);
-// in the slots that the links wrote; gains by sphere. Those of a list that belong to spheres that
-// yield: it may have others as well.
-template <class L, class Rule>
-void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
+void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yields);
+// in the slots that the links wrote; gains by sphere
+template <class L>
+void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Answers &answers,
              const std::vector<Gain> &gains);
 
 }    // namespace lbm
