@@ -213,7 +213,8 @@ TEST_F(Plan, MeasuresAndLeavesTheSceneAlone)
   EXPECT_GT(memory * 1048576.0, 12000.0 * 19 * 8);
   EXPECT_LT(memory * 1048576.0, 2.0 * 12000.0 * 19 * 8);
   script("lb/plan nu 1e-6 rho 1000 dx 2.5e-5 group all speed 1e-3 time 1");
-  EXPECT_GT(value("lb_seconds"), 10.0 * seconds);    // 64 times the nodes, more steps
+  // 64 times the nodes and more steps, without granular ones: 18 times, if the machine is not busy
+  EXPECT_GT(value("lb_seconds"), 4.0 * seconds);
   EXPECT_GT(value("lb_memory"), 40.0 * memory);
 }
 
