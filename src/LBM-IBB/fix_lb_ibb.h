@@ -209,11 +209,11 @@ class FixLbIbb : public Fix {
   enum { TOLD = lbm::Response::SIZE + 12 };
   std::vector<std::array<double, TOLD>> told;    // by local and ghost atom, between ranks
   enum { LOADS, RESPONSES } about;               // what ranks exchange now
-  // (1 + M^-1 zeta dt)^-1 by local atom, as long as it is that of this grain, step and mass
+  // zeta (1 + M^-1 zeta dt)^-1 by local atom, as long as it is that of this grain, step and mass
   struct Yielding {
     bigint grain = -1, fluid_step = -1;
     double per_mass[2] = {};
-    std::array<double, 36> inverse{};
+    std::array<double, 36> less{};
   };
   std::vector<Yielding> yieldings;
   void find_integrators();

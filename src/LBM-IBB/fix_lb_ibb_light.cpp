@@ -168,18 +168,18 @@ void FixLbIbb::yield(bool start, bool before)
       per_mass[d] = dt / m;
       per_mass[3 + d] = dt / I;
     }
-    // force at the end of the step: f - zeta gain', the gain then being gain' = gain + M^-1 dt f
-    const Matrix6 zeta = matrix(held);
+    // f - zeta gain', with gain' = gain + M^-1 dt (f - zeta gain') that at the end of the step:
+    // f - zeta (1 + M^-1 dt zeta)^-1 (gain + M^-1 dt f)
     Yielding once, &kept = start ? once : yieldings[i];
     if (kept.grain != atom->tag[i] || kept.fluid_step != fluid_steps ||
         kept.per_mass[0] != per_mass[0] || kept.per_mass[1] != per_mass[3]) {
-      kept = {atom->tag[i], fluid_steps, {per_mass[0], per_mass[3]}, {}};
+      const Matrix6 zeta = matrix(held);
       const Matrix6 A = Matrix6::Identity() + per_mass.asDiagonal() * zeta;
-      Eigen::Map<Matrix6>(kept.inverse.data()) = A.inverse();
+      kept = {atom->tag[i], fluid_steps, {per_mass[0], per_mass[3]}, {}};
+      Eigen::Map<Matrix6>(kept.less.data()) = zeta * A.inverse();
     }
+    f -= Eigen::Map<const Matrix6>(kept.less.data()) * (gain + per_mass.cwiseProduct(f));
     gain += per_mass.cwiseProduct(f);
-    gain = (Eigen::Map<const Matrix6>(kept.inverse.data()) * gain).eval();
-    f -= zeta * gain;
     for (int d = 0; d < 3; d++) {
       atom->f[i][d] = f[d];
       atom->torque[i][d] = f[3 + d];

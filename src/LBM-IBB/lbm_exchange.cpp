@@ -62,7 +62,7 @@ namespace {
     exchange<motion>(sums, e, weight, out, back, arm, wall);
     if constexpr (answer) {
       const Axis axis(e);
-      reach.add(c.c4, arm[axis.s], arm[axis.t]);
+      reach.add(n, c.c4, arm[axis.s], arm[axis.t]);
     }
     scatter<W>(slot.w, n, back);
   }
@@ -278,7 +278,8 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
         Reach &sum = yielding.reaches[reach_of<L>(group.sphere, i)];
         __builtin_prefetch(&sum.links, 1);
         __builtin_prefetch(&sum.sums[REACH - 1], 1);
-        ReachSums<Pack<W>, true> reach(yielding.answers.add(group, &links.node[group.begin]));
+        yielding.answers.open(group);
+        ReachSums<Pack<W>, true> reach(yielding.answers);
         bounce_group(reach);
         reach.add_to(sum, size);
         done = true;

@@ -71,8 +71,8 @@ struct Links {
   std::vector<Bits> bits;
   std::vector<Span> spans;
 
-  void clear();     // all but the pockets, which wait for the links of all spheres
-  void trim();      // give back what is allocated and not in use, scratch too
+  void clear();    // all but the pockets, which wait for the links of all spheres
+  void trim();     // give back what is allocated and not in use, scratch too
   double bytes() const;
 };
 

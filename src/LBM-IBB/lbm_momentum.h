@@ -68,7 +68,7 @@ LBM_INLINE inline void add(const F &number, double area, const Sums<V, ledger> &
 
 // of the links of one sphere
 template <Motion motion, class V, bool ledger>
-void add_all(const Sums<V, ledger> &sums, const int (&e)[3], Load &load)
+LBM_INLINE inline void add_all(const Sums<V, ledger> &sums, const int (&e)[3], Load &load)
 {
   add<motion>(
       [](const V &v) {

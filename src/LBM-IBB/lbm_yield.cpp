@@ -18,7 +18,7 @@ void Answers::clear()
   size = 0;
 }
 
-float *Answers::add(const LinkGroup &group, const int32_t *nodes)
+void Answers::open(const LinkGroup &group)
 {
   const std::size_t begin = size;
   size += group.end - group.begin;
@@ -27,8 +27,6 @@ float *Answers::add(const LinkGroup &group, const int32_t *nodes)
     c4.resize(2 * size + SIMD_WIDTH);
   }
   groups.push_back({group.sphere, group.direction, uint32_t(begin), uint32_t(size)});
-  std::copy_n(nodes, size - begin, &node[begin]);
-  return &c4[begin];
 }
 
 double Answers::bytes() const
@@ -106,9 +104,10 @@ void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yi
       V arm[3];
       decode(load<PackInt<W>>(node), arm);
       for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
-      to.add(Rule::template at<V>(q).c4, arm[axis.s], arm[axis.t]);
+      to.add(node, Rule::template at<V>(q).c4, arm[axis.s], arm[axis.t]);
     };
-    ReachSums<V, true> sums(yields.answers.add(group, &links.node[group.begin]));
+    yields.answers.open(group);
+    ReachSums<V, true> sums(yields.answers);
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W) add_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {
@@ -153,8 +152,7 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Answ
       decode(load<PackInt<W>>(node), x);    // the last pack may end with links of the next group
       const V c4 = convert<V>(load<Pack<W, float>>(&answers.c4[k]));
       double less[W] = {};
-      store(less,
-            weight<L>() * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
+      store(less, weight<L>() * c4 * (along + turn[0] * x[0] + turn[1] * x[1] + turn[2] * x[2]));
       const auto take = [&](int l) LBM_INLINE {
         back[node[l]] = typename L::Real(back[node[l]] - less[l]);
       };
@@ -168,14 +166,14 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Answ
 
 #define LBM_INSTANTIATE_RULE(L, Rule) \
   template void recall<L, Rule>(const Layout &, const Cover &, const Links &, Yields &);
-#define LBM_INSTANTIATE(L)                                                                         \
-  template Response response<L>(const Reach *, const Load &);                                      \
-  template Taken taken<L>(const Reach *, const Gain &);                                            \
-  template void correct<L>(const Layout &, const Slots<L> &, const Cover &, const Answers &,       \
-                           const std::vector<Gain> &);                                             \
-  LBM_INSTANTIATE_RULE(L, Halfway)                                                                 \
-  LBM_INSTANTIATE_RULE(L, Bouzidi)                                                                 \
-  LBM_INSTANTIATE_RULE(L, Cli)                                                                     \
+#define LBM_INSTANTIATE(L)                                                                   \
+  template Response response<L>(const Reach *, const Load &);                                \
+  template Taken taken<L>(const Reach *, const Gain &);                                      \
+  template void correct<L>(const Layout &, const Slots<L> &, const Cover &, const Answers &, \
+                           const std::vector<Gain> &);                                       \
+  LBM_INSTANTIATE_RULE(L, Halfway)                                                           \
+  LBM_INSTANTIATE_RULE(L, Bouzidi)                                                           \
+  LBM_INSTANTIATE_RULE(L, Cli)                                                               \
   LBM_INSTANTIATE_RULE(L, Zhao)
 LBM_FOR_EACH_LATTICE(LBM_INSTANTIATE)
 #undef LBM_INSTANTIATE

@@ -11,10 +11,10 @@
 // links. Rest density is good enough for zeta, and terms of second order in velocity are left out
 // of it; F has both. Lattice units.
 //
-// Direction i has pi r^2 |e_i| links with a sphere in the mean, 2 r |e_i| with a disc, so that those
-// along axes have 1 / (1 + 2 sqrt 2) of the response to velocity and of that to spin, 1 / (1 + 1 /
-// sqrt 2) of a disc's. ANSWER makes it a third more than the whole: neighbours may cover some. With
-// half of it light grains in crowds are thrown to and fro; more slows their answer to the fluid.
+// Direction i has pi r^2 |e_i| links with a sphere in the mean, 2 r |e_i| with a disc, so that
+// those along axes have 1/(1 + 2 sqrt 2) of the response to velocity and of that to spin, of a
+// disc's 1/(1 + 1/sqrt 2). ANSWER makes it a third more than the whole, for neighbours may cover
+// some: just the whole, and some light grains in crowds are thrown to and fro; two thirds, and many.
 
 #ifndef LBM_YIELD_H
 #define LBM_YIELD_H
@@ -76,9 +76,28 @@ struct Answers {
   std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
 
   void clear();
-  // links of one group; returns where their c4 go, in packs
-  float *add(const LinkGroup &group, const int32_t *nodes);
+  // room for the links of one group, which Answer fills in packs
+  void open(const LinkGroup &group);
   double bytes() const;
+};
+// of the next pack: its nodes and its c4, which the sums have as rounded here
+struct Answer {
+  int32_t *node;
+  float *c4;
+  explicit Answer(Answers &to) :
+      node(&to.node[to.groups.back().begin]), c4(&to.c4[to.groups.back().begin])
+  {
+  }
+  template <class V> LBM_INLINE V keep(const int32_t *nodes, const V &exact)
+  {
+    constexpr int W = SIMD_WIDTH;
+    const Pack<W, float> rounded = convert<Pack<W, float>>(exact);
+    store(node, load<PackInt<W>>(nodes));
+    store(c4, rounded);
+    node += W;
+    c4 += W;
+    return convert<V>(rounded);
+  }
 };
 
 // what is kept of spheres if any yields: of those that do reaches and links; and of each what comes
@@ -92,17 +111,13 @@ struct Yields {
 // in packs, or nothing of links that do not answer
 template <class V, bool answer> struct ReachSums {
   V sums[REACH] = {}, counts = V{} + 1.0;
-  float *c4;    // where those of the next pack are kept
-  explicit ReachSums(float *to) : c4(to) {}
+  Answer kept;
+  explicit ReachSums(Answers &to) : kept(to) {}
   // of packs to come the first n numbers count
   void only(int n) { counts = first_of(counts, n, V{}); }
-  LBM_INLINE void add(const V &exact, const V &arm_s, const V &arm_t)
+  LBM_INLINE void add(const int32_t *nodes, const V &c4, const V &arm_s, const V &arm_t)
   {
-    using Rounded = Pack<SIMD_WIDTH, float>;
-    const Rounded all = convert<Rounded>(exact);
-    store(c4, all);
-    c4 += SIMD_WIDTH;
-    const V c = counts * convert<V>(all), s = counts * arm_s, t = counts * arm_t;
+    const V c = counts * kept.keep(nodes, c4), s = counts * arm_s, t = counts * arm_t;
     const V cs = c * s, ct = c * t;
     const V more[REACH] = {c, s, t, cs, ct, cs * s, cs * t, ct * t};
     for (int n = 0; n < REACH; n++) sums[n] += more[n];

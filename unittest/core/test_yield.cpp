@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Spheres that yield: what the response says that a sphere gets less if it is faster, the fluid gets
-// when told; it is a third more than what all links would have made of it.
+// Spheres that yield: what the response says that a sphere gets less if it is faster, the fluid
+// gets when told; it is a third more than what all links would have made of it.
 
 #include "scene.h"
 
