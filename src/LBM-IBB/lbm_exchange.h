@@ -23,8 +23,8 @@ namespace lbm {
 // Bounce back all links, after the sweep of step t and its halo exchange; f are the slots of step
 // t + 1. drho is the density excess by node where surfaces move, else null.
 // loads[s] is increased by what sphere s receives. Without a ledger of mass nothing is refunded and
-// what links swallow is not summed. With yields, which goes with Motion::TURN, sums are increased:
-// reaches[Q s + i] by that of direction i of sphere s if it yields, see lbm_yield.h.
+// what links swallow is not summed. With yields, which goes with Motion::TURN, what gaps give goes
+// to those sums instead, and with it the reaches of spheres that yield, see lbm_yield.h.
 template <class L, class Rule, Motion motion, bool ledger, bool yields>
 void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const Links &links,
                  const float *drho, std::vector<Load> &loads, Yields &sums);
