@@ -169,14 +169,15 @@ void FixLbIbb::yield(bool start, bool before)
       per_mass[3 + d] = dt / I;
     }
     // f - zeta gain', with gain' = gain + M^-1 dt (f - zeta gain') that at the end of the step:
-    // f - zeta (1 + M^-1 dt zeta)^-1 (gain + M^-1 dt f)
+    // f - zeta (1 + M^-1 dt zeta)^-1 (gain + M^-1 dt f), in which that before the bracket is
+    // M/dt (M/dt + zeta)^-1 zeta
     Yielding once, &kept = start ? once : yieldings[i];
     if (kept.grain != atom->tag[i] || kept.fluid_step != fluid_steps ||
         kept.per_mass[0] != per_mass[0] || kept.per_mass[1] != per_mass[3]) {
       const Matrix6 zeta = matrix(held);
-      const Matrix6 A = Matrix6::Identity() + per_mass.asDiagonal() * zeta;
+      const Matrix6 M = per_mass.cwiseInverse().asDiagonal();    // over dt
       kept = {atom->tag[i], fluid_steps, {per_mass[0], per_mass[3]}, {}};
-      Eigen::Map<Matrix6>(kept.less.data()) = zeta * A.inverse();
+      Eigen::Map<Matrix6>(kept.less.data()) = M * (M + zeta).llt().solve(zeta);
     }
     f -= Eigen::Map<const Matrix6>(kept.less.data()) * (gain + per_mass.cwiseProduct(f));
     gain += per_mass.cwiseProduct(f);

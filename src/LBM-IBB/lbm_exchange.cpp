@@ -295,10 +295,10 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
       sums = {};
     }
   }
+  std::vector<Load> &in_gaps = yields ? yielding.in_gaps : loads;
   for (const LinkGroup &group : links.gaps.groups)
-    close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho,
-                                         yields ? yielding.in_gaps : loads);
-  for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, loads);
+    close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho, in_gaps);
+  for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, in_gaps);
 }
 
 #define LBM_INSTANTIATE_ONE(L, Rule, motion, ledger, yields)                         \

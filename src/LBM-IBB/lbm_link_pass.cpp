@@ -108,7 +108,8 @@ void LinkPass<L>::find(std::size_t s, const Region &region, std::size_t k, const
   gaps_ += list.gaps.size - gaps;
   if (!moved_) return;
   // of the spheres at the two ends of a gap either may yield
-  bounce(list, cover_->spheres()[s].yields || (any_yields_ && list.gaps.size > 0), f);
+  const bool shared = list.gaps.size > 0 || !list.hidden.empty();
+  bounce(list, cover_->spheres()[s].yields || (any_yields_ && shared), f);
   list.clear();
 }
 

@@ -28,7 +28,8 @@ struct Response {
   static constexpr int SIZE = 21;
   std::array<double, SIZE> zeta{};      // lower triangle by rows: force before torque
   std::array<double, 6> swallowed{};    // what Load::swallowed gains with (du, dspin)
-  std::array<double, 6> in_gaps{};    // force and torque of links in gaps of one node, in the Load
+  std::array<double, 6>
+      in_gaps{};    // force and torque of gaps that have one node or none, in the Load
 };
 
 // velocity and spin beyond what was handed in, mean over a step
@@ -101,7 +102,7 @@ struct Answer {
 };
 
 // what is kept of spheres if any yields: of those that do reaches and links; and of each what comes
-// from gaps of one node, which is still to be added to its Load
+// from gaps of one node or none (Gaps, Hidden), which is still to be added to its Load
 struct Yields {
   std::vector<Reach> reaches;
   Answers answers;
