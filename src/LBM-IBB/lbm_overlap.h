@@ -14,7 +14,7 @@ namespace lbm {
 
 // a sphere that overlaps the one looked at
 struct Overlap {
-  Vec3 away;        // from the centre of that one to its own
+  Vec3 away;    // from the centre of that one to its own
   double radius;
   bool precedes;    // gets what both lie equally deep in
 };

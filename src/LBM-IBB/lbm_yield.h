@@ -14,7 +14,7 @@
 // Direction i has pi r^2 |e_i| links with a sphere in the mean, 2 r |e_i| with a disc, so that
 // those along axes have 1/(1 + 2 sqrt 2) of the response to velocity and of that to spin, of a
 // disc's 1/(1 + 1/sqrt 2). ANSWER makes it a third more than the whole, for neighbours may cover
-// some: just the whole, and some light grains in crowds are thrown to and fro; two thirds, and many.
+// some: just the whole, and some light grains in crowds are thrown to and fro; two thirds: many.
 
 #ifndef LBM_YIELD_H
 #define LBM_YIELD_H
@@ -28,8 +28,7 @@ struct Response {
   static constexpr int SIZE = 21;
   std::array<double, SIZE> zeta{};      // lower triangle by rows: force before torque
   std::array<double, 6> swallowed{};    // what Load::swallowed gains with (du, dspin)
-  std::array<double, 6>
-      in_gaps{};    // force and torque of gaps that have one node or none, in the Load
+  std::array<double, 6> in_gaps{};      // force and torque of narrow gaps, in the Load
 };
 
 // velocity and spin beyond what was handed in, mean over a step
