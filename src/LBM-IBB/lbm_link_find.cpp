@@ -179,8 +179,9 @@ namespace {
         const Bits *here = &bits(first, z), *ahead = &bits(first + e[1], z + e[2]),
                    *behind = &bits(first - e[1], z - e[2]);
         make_room(std::size_t(last - first + 1) * 62);
+        const int32_t further = int32_t(at.stride_y);
         int32_t row = int32_t(at.index(x0, first, z)), *end = &links.node[links.size];
-        for (int y = first; y <= last; y++, here++, ahead++, behind++, row += at.stride_y) {
+        for (int y = first; y <= last; y++, here++, ahead++, behind++, row += further) {
           const uint64_t found = window & ~here->equal & seen_from<ex>(ahead->equal);
           const uint64_t fluid = found & here->negative;
           const uint64_t free = fluid & seen_from<-ex>(behind->negative);
