@@ -35,9 +35,12 @@ double Answers::bytes() const
                 c4.capacity() * sizeof(float));
 }
 
-template <class L> constexpr double weight()    // of a link that answers, but for c4
+// of a link that answers, but for c4
+template <class L> constexpr double weight()
 {
-  return ANSWER<L> * 3.0 * (L::D == 3 ? 1.0 / 18 : 1.0 / 9);
+  int i = 1;
+  while (!answers<L>(i)) i++;
+  return ANSWER<L> * 3.0 * L::w[i];
 }
 
 template <class L> Response response(const Reach *reaches, const Load &in_gaps)
