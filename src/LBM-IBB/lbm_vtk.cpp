@@ -146,9 +146,7 @@ namespace {
         attribute("version", "1.0") + attribute("byte_order", low ? "LittleEndian" : "BigEndian") +
         attribute("header_type", "UInt64");
     if (encoding == VtkEncoding::ZLIB) text += attribute("compressor", "vtkZLibDataCompressor");
-    text += ">\n<" + file.type + file.whole + ">\n<FieldData><DataArray type=\"Float64\" " +
-        "Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">" + number(file.time) +
-        "</DataArray></FieldData>\n<Piece" + file.piece + ">\n";
+    text += ">\n<" + file.type + file.whole + ">\n<Piece" + file.piece + ">\n";
     Number offset = 0;
     auto a = arrays.begin();
     for (const auto &section : file.sections) {
@@ -165,7 +163,11 @@ namespace {
       }
       text += "</" + section.name + ">\n";
     }
-    text += "</Piece>\n</" + file.type + ">\n";
+    // behind the piece: OVITO's reader of grains does not find one that comes after it
+    text += "</Piece>\n<FieldData><DataArray" + attribute("type", "Float64") +
+        attribute("Name", "TimeValue") + attribute("NumberOfTuples", "1") +
+        attribute("format", "ascii") + ">" + number(file.time) + "</DataArray></FieldData>\n</" +
+        file.type + ">\n";
     return encoding == VtkEncoding::BASE64 ? text + "</VTKFile>\n"
                                            : text + "<AppendedData encoding=\"raw\">\n_";
   }
