@@ -234,18 +234,18 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
   constexpr int W = SIMD_WIDTH;
   const Decoder decode(at);
   Sums<Pack<W>, ledger> sums;
-  ReadAhead ahead(
-      links, PACKS_AHEAD,
-      [&](int i) {
-        return LinkSlots<L>(at, f, i);
-      },
-      [drho](const LinkSlots<L> &slot, int32_t n) LBM_INLINE {
-        __builtin_prefetch(slot.r1 + n);
-        if constexpr (Rule::interpolated) __builtin_prefetch(slot.r2 + n);
-        if constexpr (Rule::interpolated) __builtin_prefetch(slot.r3 + n);
-        if constexpr (motion != Motion::REST) __builtin_prefetch(drho + n);
-        __builtin_prefetch(slot.w + n, 1);
-      });
+  const auto slots_along = [&](int i) {
+    return LinkSlots<L>(at, f, i);
+  };
+  const auto fetch = [drho](const LinkSlots<L> &slot, int32_t n) LBM_INLINE {
+    __builtin_prefetch(slot.r1 + n);
+    if constexpr (Rule::interpolated) __builtin_prefetch(slot.r2 + n);
+    if constexpr (Rule::interpolated) __builtin_prefetch(slot.r3 + n);
+    if constexpr (motion != Motion::REST) __builtin_prefetch(drho + n);
+    __builtin_prefetch(slot.w + n, 1);
+  };
+  ReadAhead ahead(links, PACKS_AHEAD, slots_along, fetch);
+  ReadAhead gaps_ahead(links.gaps, 0, slots_along, fetch);    // these follow the links
   for (std::size_t g = 0; g < links.groups.size(); g++) {
     const LinkGroup &group = links.groups[g];
     const int i = group.direction;
@@ -256,6 +256,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to,
                                  auto &reach) LBM_INLINE {
       ahead.next();
+      gaps_ahead.next();
       bounce_back_pack<L, Rule, motion, ledger>(decode, slot, sphere, c, L::e[i], L::w[i], refund,
                                                 nodes, q, drho, to, reach);
     };
@@ -278,8 +279,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
         Reach &sum = yielding.reaches[reach_of<L>(group.sphere, i)];
         __builtin_prefetch(&sum.links, 1);
         __builtin_prefetch(&sum.sums[REACH - 1], 1);
-        yielding.answers.open(group);
-        ReachSums<Pack<W>, true> reach(yielding.answers);
+        ReachSums<Pack<W>, true> reach(yielding.answers.open(group));
         bounce_group(reach);
         reach.add_to(sum, size);
         done = true;

@@ -28,7 +28,7 @@ void Gaps::add(int32_t x_f, int32_t sphere_behind)
 
 void Gaps::close(int32_t ahead, int direction, std::size_t begin)
 {
-  if (size > begin) groups.push_back({ahead, direction, uint32_t(begin), uint32_t(size)});
+  if (size > begin) add_group(groups, ahead, direction, begin, size);
 }
 
 void Gaps::trim()

@@ -28,6 +28,18 @@ struct LinkGroup {
   uint32_t begin, end;    // in the arrays of Links
 };
 
+// Written in place: a group that is made aside and copied waits until all that was stored before is
+// in the cache, as it is read wider than it was written.
+inline void add_group(std::vector<LinkGroup> &groups, int32_t sphere, int direction,
+                      std::size_t begin, std::size_t end)
+{
+  LinkGroup &group = groups.emplace_back();
+  group.sphere = sphere;
+  group.direction = int32_t(direction);
+  group.begin = uint32_t(begin);
+  group.end = uint32_t(end);
+}
+
 // pairs of links of one node along i = 1..P and its opposite: the group's sphere covers x_f + e_i
 struct Gaps {
   std::vector<LinkGroup> groups;

@@ -78,12 +78,12 @@ namespace {
     {
       links.bits.resize(std::size_t(hi[1] - lo[1] + 3) * (hi[2] - lo[2] + 3));
       links.spans.resize(hi[2] - lo[2] + 3);
-      const int gz = L::D == 3 ? 1 : 0;
+      const int gz = L::D == 3 ? 1 : 0, looked_at = std::min(hi[0] - x0 + 2, 64);
       for (int z = lo[2] - gz; z <= hi[2] + gz; z++) {
         Links::Span &span = links.spans[z - lo[2] + 1];
         span = {hi[1] + 2, lo[1] - 2};
         for (int y = lo[1] - 1; y <= hi[1] + 1; y++) {
-          const Bits row = bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s));
+          const Bits row = bits(y, z) = compare(owner + at.index(x0, y, z), int32_t(s), looked_at);
           span.first = row.equal ? std::min(span.first, y) : span.first;
           span.last = row.equal ? y : span.last;
         }
@@ -160,7 +160,7 @@ namespace {
       links.gaps.close(int32_t(s), i, first_gap);
       if (links.size == begin) return;
       set_fractions(i, begin);
-      links.groups.push_back({int32_t(s), int32_t(i), uint32_t(begin), uint32_t(links.size)});
+      add_group(links.groups, int32_t(s), i, begin, links.size);
     }
 
     // bits of the nodes step further along x

@@ -103,6 +103,8 @@ void LinkPass<L>::find(std::size_t s, const Region &region, std::size_t k, const
 {
   Links &list = lists_[moved_ ? 0 : k];
   const std::size_t links = list.size, gaps = list.gaps.size;
+  __builtin_prefetch(&(*loads_)[s], 1);
+  __builtin_prefetch(&(*loads_)[s].displaced, 1);
   find_links<L>(at_, *cover_, s, region, list);
   links_ += list.size - links + 2 * (list.gaps.size - gaps);
   gaps_ += list.gaps.size - gaps;

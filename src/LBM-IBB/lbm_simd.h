@@ -223,23 +223,24 @@ template <class V> LBM_INLINE inline V root(const V &v)
   }
 }
 
-// Bits k = 0..63 of p[k] == value (or p[k] < 0). Reads 64 numbers.
+// Bits k = 0..63 of p[k] == value (or p[k] < 0), the first n of them; others may be left out, or be
+// right as well. Reads up to 64 numbers.
 struct Bits {
   uint64_t equal, negative;
 };
-inline Bits compare(const int32_t *p, int32_t value)
+inline Bits compare(const int32_t *p, int32_t value, int n = 64)
 {
   Bits bits{0, 0};
 #if defined(__AVX512F__)
   const __m512i v = _mm512_set1_epi32(value);
-  for (int k = 0; k < 64; k += 16) {
+  for (int k = 0; k < n; k += 16) {
     const __m512i x = _mm512_loadu_si512(p + k);
     bits.equal |= uint64_t(_mm512_cmpeq_epi32_mask(x, v)) << k;
     bits.negative |= uint64_t(_mm512_cmplt_epi32_mask(x, _mm512_setzero_si512())) << k;
   }
 #elif defined(__AVX2__)
   const __m256i v = _mm256_set1_epi32(value);
-  for (int k = 0; k < 64; k += 8) {
+  for (int k = 0; k < n; k += 8) {
     const __m256i x = _mm256_loadu_si256(reinterpret_cast<const __m256i *>(p + k));
     const auto signs = [](__m256i m) {
       return uint64_t(uint8_t(_mm256_movemask_ps(_mm256_castsi256_ps(m))));
@@ -248,7 +249,7 @@ inline Bits compare(const int32_t *p, int32_t value)
     bits.negative |= signs(x) << k;
   }
 #else
-  for (int k = 0; k < 64; k++) {
+  for (int k = 0; k < n; k++) {
     bits.equal |= uint64_t(p[k] == value) << k;
     bits.negative |= uint64_t(p[k] < 0) << k;
   }

@@ -18,7 +18,7 @@ void Answers::clear()
   size = 0;
 }
 
-void Answers::open(const LinkGroup &group)
+Answer Answers::open(const LinkGroup &group)
 {
   const std::size_t begin = size;
   size += group.end - group.begin;
@@ -26,7 +26,8 @@ void Answers::open(const LinkGroup &group)
     node.resize(2 * size + SIMD_WIDTH);
     c4.resize(2 * size + SIMD_WIDTH);
   }
-  groups.push_back({group.sphere, group.direction, uint32_t(begin), uint32_t(size)});
+  add_group(groups, group.sphere, group.direction, begin, size);
+  return {&node[begin], &c4[begin]};
 }
 
 double Answers::bytes() const
@@ -109,8 +110,7 @@ void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yi
       for (int d = 0; d < 3; d++) arm[d] = arm[d] - centre[d] + double(e[d]) * q;
       to.add(node, Rule::template at<V>(q).c4, arm[axis.s], arm[axis.t]);
     };
-    yields.answers.open(group);
-    ReachSums<V, true> sums(yields.answers);
+    ReachSums<V, true> sums(yields.answers.open(group));
     std::size_t k = group.begin;
     for (; k + W <= group.end; k += W) add_pack(&links.node[k], &links.q[k], sums);
     if (k < group.end) {

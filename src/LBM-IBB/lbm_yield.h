@@ -68,26 +68,10 @@ template <class L> constexpr std::size_t reach_of(std::size_t sphere, int i)
   return sphere * REACHES<L> + (e[0] ? 0 : e[1] ? 2 : 4) + (e[0] + e[1] + e[2] > 0);
 }
 
-// links that answer, as they bounced back
-struct Answers {
-  std::vector<LinkGroup> groups;
-  std::vector<int32_t> node;    // index of x_f
-  std::vector<float> c4;
-  std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
-
-  void clear();
-  // room for the links of one group, which Answer fills in packs
-  void open(const LinkGroup &group);
-  double bytes() const;
-};
-// of the next pack: its nodes and its c4, which the sums have as rounded here
+// the next pack of links that answer: its nodes and its c4, which the sums have as rounded here
 struct Answer {
   int32_t *node;
   float *c4;
-  explicit Answer(Answers &to) :
-      node(&to.node[to.groups.back().begin]), c4(&to.c4[to.groups.back().begin])
-  {
-  }
   template <class V> LBM_INLINE V keep(const int32_t *nodes, const V &exact)
   {
     constexpr int W = SIMD_WIDTH;
@@ -100,6 +84,18 @@ struct Answer {
   }
 };
 
+// links that answer, as they bounced back
+struct Answers {
+  std::vector<LinkGroup> groups;
+  std::vector<int32_t> node;    // index of x_f
+  std::vector<float> c4;
+  std::size_t size = 0;    // entries in use of the arrays above, which reach a pack further
+
+  void clear();
+  // room for the links of one group, and its first pack
+  Answer open(const LinkGroup &group);
+  double bytes() const;
+};
 // what is kept of spheres if any yields: of those that do reaches and links; and of each what comes
 // from gaps of one node or none (Gaps, Hidden), which is still to be added to its Load
 struct Yields {
@@ -112,7 +108,7 @@ struct Yields {
 template <class V, bool answer> struct ReachSums {
   V sums[REACH] = {}, counts = V{} + 1.0;
   Answer kept;
-  explicit ReachSums(Answers &to) : kept(to) {}
+  explicit ReachSums(const Answer &first) : kept(first) {}
   // of packs to come the first n numbers count
   void only(int n) { counts = first_of(counts, n, V{}); }
   LBM_INLINE void add(const int32_t *nodes, const V &c4, const V &arm_s, const V &arm_t)
