@@ -72,10 +72,14 @@ template <class L> constexpr std::size_t reach_of(std::size_t sphere, int i)
 struct Answer {
   int32_t *node;
   float *c4;
+  // links further that room is fetched for: it comes from the memory, and stores wait for each other
+  static constexpr int AHEAD = 256;
   template <class V> LBM_INLINE V keep(const int32_t *nodes, const V &exact)
   {
     constexpr int W = SIMD_WIDTH;
     const Pack<W, float> rounded = convert<Pack<W, float>>(exact);
+    __builtin_prefetch(node + AHEAD, 1);
+    __builtin_prefetch(c4 + AHEAD, 1);
     store(node, load<PackInt<W>>(nodes));
     store(c4, rounded);
     node += W;
