@@ -38,6 +38,7 @@ namespace {
           };
           Run both{1, 0};
           if (same && same->contains(y, z)) both = b->run(*same, y, z);
+          if (run.xa >= both.xa && run.xb <= both.xb) continue;    // most rows
           if (both.xa > both.xb) {
             look(run.xa, run.xb);
           } else {
