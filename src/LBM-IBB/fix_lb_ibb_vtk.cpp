@@ -18,6 +18,7 @@
 #include "domain.h"
 #include "error.h"
 #include "modify.h"
+#include "platform.h"
 #include "region.h"
 #include "update.h"
 
@@ -48,6 +49,11 @@ FixLbIbbVtk::FixLbIbbVtk(LAMMPS *lmp, int narg, char **arg) :
   find_fluid();
   check_interval();
   prefix = arg[5];
+  const std::string file = platform::path_basename(prefix);
+  if (const auto bad = file.find_first_of("&<>\""); bad != std::string::npos)
+    refuse(5, fmt::format("name '{}' has a {} in it, which XML keeps for itself: use letters, "
+                          "digits, - and _",
+                          file, file[bad]));
   for (auto *other : modify->get_fix_by_style("^lb/ibb/vtk$"))
     if (static_cast<FixLbIbbVtk *>(other)->prefix == prefix)
       refuse(5, fmt::format("fix {} writes files of that name already", other->id));

@@ -251,6 +251,7 @@ TEST_F(VtkFiles, BadInputIsRefused)
   };
   refused("20 w", "Illegal fix lb/ibb/vtk command: missing argument");
   refused("0 w a", "every 0 time steps: at least 1 is needed");
+  refused("20 w a&b", "name 'a&b' has a & in it, which XML keeps for itself: use letters");
   refused("5 w a", "every 5 time steps, but the fluid moves every 2: use 4 or 6");
   refused("1 w a", "every 1 time steps, but the fluid moves every 2: use 2");
   refused("20 water a", "there is no fix lb/ibb with ID water: define it before this fix");
