@@ -159,6 +159,26 @@ def crowd(quick):
             for coupling, average, tau, ratio in itertools.product(couplings, ["yes", "no"], taus, ratios)]
 
 
+# ---- many free discs: density x tau x coupling and radius
+
+def check_crowd2d(v, _, run):
+    r, U, spacing, nu = run["r"], v["U"], round(8 * run["r"] / 2.7), (run["tau"] - 0.5) / 3
+    A = PI * r * r
+    lighter = 1 / (1 / ((run["ratio"] + 1) * A) + 1 / (spacing**2 - A))    # of disc, with added mass, and water
+    expected = U * (1 - math.exp(-run["steps"] * v["drag"] * nu / lighter))
+    return first(outside("speed", v["slip"], expected, 1.7),
+                 f"discs move to and fro at {v['rms'] / U:.2g} times the speed of the array" if v["rms"] > 5 * U else "")
+
+
+def crowd2d(quick):
+    ratios = [0.1, 2.6] if quick else [0.01, 0.03, 0.1, 0.3, 0.5, 0.95, 1.3, 2.6, 5, 10, 100]
+    taus = [0.52, 0.8] if quick else [0.505, 0.51, 0.52, 0.53, 0.55, 0.8, 1.5, 3.0]
+    sets = [("auto", 2.7)] if quick else [("auto", 2.7), ("auto", 3.5), ("auto", 4.0), ("explicit", 3.5)]
+    return [Case("crowd2d", "in.crowd2d", {"ratio": ratio, "tau": tau, "coupling": coupling, "r": r, "steps": 3000},
+                 check_crowd2d)
+            for (coupling, r), tau, ratio in itertools.product(sets, taus, ratios)]
+
+
 # ---- pressure steps: size x tau x sudden or slow
 
 def check_column(v, _, run):
@@ -241,5 +261,5 @@ def mixed(quick):
             for size, (every, small) in itertools.product(sizes, [(20, 60)] if quick else [(20, 60), (1000, 20)])]
 
 
-GROUPS = {"rows": rows, "flow": flow, "contact": contact, "free": free, "crowd": crowd, "column": column, "pair": pair,
+GROUPS = {"rows": rows, "flow": flow, "contact": contact, "free": free, "crowd": crowd, "crowd2d": crowd2d, "column": column, "pair": pair,
           "dense": dense, "mixed": mixed}

@@ -18,6 +18,7 @@ AXES = {"flow": (("tau", r"$\tau$"), ("Ma", "Ma of the water that enters"), ("co
                     ("contact", "time steps per contact"), ("rho", "e")),
         "free": (("ratio", r"$\rho_s/\rho$"), ("r", r"$r/\Delta x$"), ("coupling",)),
         "crowd": (("ratio", r"$\rho_s/\rho$"), ("tau", r"$\tau$"), ("coupling", "average")),
+        "crowd2d": (("ratio", r"$\rho_s/\rho$"), ("tau", r"$\tau$"), ("coupling", "r")),
         "column": (("tau", r"$\tau$"), ("excess", r"$\Delta p/\rho c_s^2$"), ("ramp",)),
         "pair": (("gap", r"gap$/\Delta x$"), ("mode", ""), ()),
         "dense": (("phi", "solid fraction"), ("cells", "cells per period"), ()),

@@ -119,8 +119,8 @@ double FixLbIbb::density_ratio(int i) const
 bool FixLbIbb::below_limit(int i) const
 {
   return !options.average ||
-      density_ratio(i) <
-      lbm::light_below(hydrodynamic_radius(i) / options.dx, units.tau(options.nu));
+      density_ratio(i) < lbm::light_below(hydrodynamic_radius(i) / options.dx,
+                                          units.tau(options.nu), domain->dimension);
 }
 
 // Storage, once there are grains that need it. Collective.

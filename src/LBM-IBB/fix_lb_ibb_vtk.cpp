@@ -51,9 +51,10 @@ FixLbIbbVtk::FixLbIbbVtk(LAMMPS *lmp, int narg, char **arg) :
   prefix = arg[5];
   const std::string file = platform::path_basename(prefix);
   if (const auto bad = file.find_first_of("&<>\""); bad != std::string::npos)
-    refuse(5, fmt::format("name '{}' has a {} in it, which XML keeps for itself: use letters, "
-                          "digits, - and _",
-                          file, file[bad]));
+    refuse(5,
+           fmt::format("name '{}' has a {} in it, which XML keeps for itself: use letters, "
+                       "digits, - and _",
+                       file, file[bad]));
   for (auto *other : modify->get_fix_by_style("^lb/ibb/vtk$"))
     if (static_cast<FixLbIbbVtk *>(other)->prefix == prefix)
       refuse(5, fmt::format("fix {} writes files of that name already", other->id));

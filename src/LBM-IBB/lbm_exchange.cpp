@@ -298,6 +298,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
   std::vector<Load> &in_gaps = yields ? yielding.in_gaps : loads;
   for (const LinkGroup &group : links.gaps.groups)
     close_group<L, Rule, motion, ledger>(at, f, cover, links.gaps, group, drho, in_gaps);
+  if constexpr (yields) answer_gaps<L>(at, cover, links.gaps, yielding);
   for (const Hidden &hidden : links.hidden) press_apart(cover, hidden, in_gaps);
 }
 

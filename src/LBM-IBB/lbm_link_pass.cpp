@@ -191,11 +191,24 @@ template <class L> void LinkPass<L>::recall(const Cover &cover)
   yields_.reaches.assign(REACHES<L> * cover.spheres().size(), {});
   yields_.answers.clear();
   Links links;
+  const auto look = [&](std::size_t s, const Region &region) {
+    // a gap of a sphere that yields may be found with the one at its other end
+    if (!cover.spheres()[s].yields && !GAPS_ANSWER<L>) return;
+    find_links<L>(at_, cover, s, region, links);
+    with_rule([&](auto rule) {
+      lbm::recall<L, decltype(rule)>(at_, cover, links, yields_);
+    });
+    links.clear();
+  };
+  // in the order of a step, so that sums are the same to the bit
+  if (tiles_.cut()) {
+    find_near();
+    for (std::size_t k = 0; k < tiles_.count(); k++)
+      for (std::size_t n = first_near_[k]; n < first_near_[k + 1]; n++)
+        look(near_[n], tiles_.behind(k));
+  }
   for (std::size_t s = 0; s < cover.spheres().size(); s++)
-    if (cover.spheres()[s].yields) find_links<L>(at_, cover, s, at_.all(), links);
-  with_rule([&](auto rule) {
-    lbm::recall<L, decltype(rule)>(at_, cover, links, yields_);
-  });
+    for (const Region &region : tiles_.shell()) look(s, region);
 }
 
 template <class L> double LinkPass<L>::bytes() const

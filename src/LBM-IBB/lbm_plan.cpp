@@ -274,7 +274,7 @@ namespace {
         }
         a.notes.push_back(found.text);
       }
-      if (w.ratio > 0.0 && w.ratio < light_below(r, units.tau(w.nu)))
+      if (w.ratio > 0.0 && w.ratio < light_below(r, units.tau(w.nu), w.dimension))
         a.notes.push_back(print("grains of %.3g times the density of the fluid are light: keep "
                                 "coupling auto",
                                 w.ratio));

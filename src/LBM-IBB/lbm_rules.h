@@ -29,11 +29,11 @@ inline double mach(double speed)
 // Density ratio below which a force that is held for a fluid step, the mean of two of them, may throw a
 // grain of r cells back and forth: by the water it has to move along, or, where nu is large, by friction
 // that turns it the other way, of 15 nu/(ratio r^2) per step alone in Stokes flow. With what more narrow
-// gaps ask for: doc/stability.md, crowds.
-inline double light_below(double r, double tau)
+// gaps ask for, most in 2d: doc/stability.md, crowds.
+inline double light_below(double r, double tau, int dimension)
 {
-  const double nu = (tau - 0.5) / 3.0;
-  return std::fmax(2.5 / r, 15.0 * nu / (r * r));
+  const double nu = (tau - 0.5) / 3.0, limit = std::fmax(2.5 / r, 15.0 * nu / (r * r));
+  return dimension == 2 ? std::fmax(limit, 50.0 / (r * r)) : limit;
 }
 
 struct Finding {

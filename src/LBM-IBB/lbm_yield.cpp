@@ -91,6 +91,47 @@ template <class L> Taken taken(const Reach *reaches, const Gain &gain)
   return taken;
 }
 
+namespace {
+
+  // one link more, of a sphere that may yield
+  template <class L>
+  void answer_alone(const Decoder &decode, const Cover &cover, int32_t sphere, int i, int32_t node,
+                    double q, Yields &yields)
+  {
+    if (!cover.spheres()[sphere].yields) return;
+    const int(&e)[3] = L::e[i];
+    const Axis axis(e);
+    double arm[3];
+    decode(node, arm);
+    for (int d = 0; d < 3; d++) arm[d] = arm[d] - cover.centre(sphere)[d] + e[d] * q;
+    const Answer link = yields.answers.open({sphere, int32_t(i), 0, 1});
+    const double c = Halfway::at(0.5).c4, s = arm[axis.s], t = arm[axis.t];
+    *link.node = node;
+    *link.c4 = float(c);
+    Reach &reach = yields.reaches[reach_of<L>(sphere, i)];
+    const double more[REACH] = {c, s, t, c * s, c * t, c * s * s, c * s * t, c * t * t};
+    for (int n = 0; n < REACH; n++) reach.sums[n] += more[n];
+    reach.links += 1.0;
+  }
+
+}    // namespace
+
+template <class L>
+void answer_gaps(const Layout &at, const Cover &cover, const Gaps &gaps, Yields &yields)
+{
+  if constexpr (!GAPS_ANSWER<L>) return;
+  const Decoder decode(at);
+  for (const LinkGroup &group : gaps.groups) {
+    const int i = group.direction;
+    if (!answers<L>(i)) continue;
+    for (std::size_t k = group.begin; k < group.end; k++) {
+      answer_alone<L>(decode, cover, group.sphere, i, gaps.node[k], gaps.q_ahead[k], yields);
+      answer_alone<L>(decode, cover, gaps.behind[k], opposite<L>(i), gaps.node[k], gaps.q_behind[k],
+                      yields);
+    }
+  }
+}
+
 // in packs as bounce_back() makes them, so that a run that goes on does so to the bit
 template <class L, class Rule>
 void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yields)
@@ -100,7 +141,7 @@ void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yi
   const Decoder decode(at);
   for (const LinkGroup &group : links.groups) {
     const int(&e)[3] = L::e[group.direction];
-    if (!answers<L>(group.direction)) continue;
+    if (!answers<L>(group.direction) || !cover.spheres()[group.sphere].yields) continue;
     const Vec3 centre = cover.centre(group.sphere);
     const Axis axis(e);
     const auto add_pack = [&](const int32_t *node, const double *fractions, auto &to) LBM_INLINE {
@@ -123,6 +164,7 @@ void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yi
     sums.add_to(yields.reaches[reach_of<L>(group.sphere, group.direction)],
                 double(group.end - group.begin));
   }
+  answer_gaps<L>(at, cover, links.gaps, yields);
 }
 
 template <class L>
@@ -172,6 +214,7 @@ void correct(const Layout &at, const Slots<L> &f, const Cover &cover, const Answ
 #define LBM_INSTANTIATE(L)                                                                   \
   template Response response<L>(const Reach *, const Load &);                                \
   template Taken taken<L>(const Reach *, const Gain &);                                      \
+  template void answer_gaps<L>(const Layout &, const Cover &, const Gaps &, Yields &);       \
   template void correct<L>(const Layout &, const Slots<L> &, const Cover &, const Answers &, \
                            const std::vector<Gain> &);                                       \
   LBM_INSTANTIATE_RULE(L, Halfway)                                                           \

@@ -5,7 +5,7 @@
 //     f_o - a e.du,    a = 3 w c4    (lbm_bounce_back.h)
 // Of the links those along the axes answer for all, ANSWER times as much, so that with
 // g = (e, arm x e) the sphere's load, force and torque, becomes
-//     F - zeta (du, dspin),    zeta = sum of ANSWER a g g^T    (links of gaps left out)
+//     F - zeta (du, dspin),    zeta = sum of ANSWER a g g^T    (in 3d links of gaps left out)
 // Whoever moves the sphere uses this load, implicitly, and says afterwards by how much the velocity
 // was larger in the mean: correct() then takes zeta du from the fluid, to round-off, along the same
 // links. Rest density is good enough for zeta, and terms of second order in velocity are left out
@@ -15,6 +15,9 @@
 // those along axes have 1/(1 + 2 sqrt 2) of the response to velocity and of that to spin, of a
 // disc's 1/(1 + 1/sqrt 2). ANSWER makes it a third more than the whole, for neighbours may cover
 // some: just the whole, and some light grains in crowds are thrown to and fro; two thirds: many.
+//
+// Links of gaps answer in 2d, as half-way links: water that is squeezed between discs has no way
+// round them, and what it gives, held for a step, throws light ones to and fro (doc/stability.md).
 
 #ifndef LBM_YIELD_H
 #define LBM_YIELD_H
@@ -47,6 +50,7 @@ template <class L> constexpr bool answers(int i)
 {
   return L::e[i][0] * L::e[i][0] + L::e[i][1] * L::e[i][1] + L::e[i][2] * L::e[i][2] == 1;
 }
+template <class L> constexpr bool GAPS_ANSWER = L::D == 2;
 // its axis, with the other two in cyclic order: arm x e = +-(0, arm_t, -arm_s) along (axis, s, t)
 struct Axis {
   int axis, s, t;
@@ -108,6 +112,10 @@ struct Yields {
   std::vector<Load> in_gaps;
 };
 
+// the gaps of one list of links, if they answer
+template <class L>
+void answer_gaps(const Layout &at, const Cover &cover, const Gaps &gaps, Yields &yields);
+
 // in packs, or nothing of links that do not answer
 template <class V, bool answer> struct ReachSums {
   V sums[REACH] = {}, counts = V{} + 1.0;
@@ -136,7 +144,7 @@ template <class V> struct ReachSums<V, false> {
 template <class L> Response response(const Reach *reaches, const Load &in_gaps);
 template <class L> Taken taken(const Reach *reaches, const Gain &gain);
 
-// reaches and answers of links that bounced back elsewhere
+// reaches and answers of links that bounced back elsewhere, those of spheres that yield
 template <class L, class Rule>
 void recall(const Layout &at, const Cover &cover, const Links &links, Yields &yields);
 // in the slots that the links wrote; gains by sphere

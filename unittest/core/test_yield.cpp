@@ -108,11 +108,10 @@ Momentum momentum(const scene::Box &box, const Vec3 &about)
   return sum;
 }
 
-TEST_P(Yield, TheFluidGetsWhatTheSphereDoesNot)
+// of sphere 0, which moves on from where it is; returns its response
+Response check_what_the_fluid_gets(const Case &c, const Int3 &n, const std::vector<Sphere> &grains)
 {
-  const Case c = GetParam();
   scene::Box box(settings(c), n);
-  const auto grains = pair(c, 0.02);
   box.step(grains);
   box.for_each_node([&](int x, int y, int z) {
     box.fluid->set_equilibrium(x, y, z, scene::some_flow({x, y, z}, n, c.dimension));
@@ -123,7 +122,7 @@ TEST_P(Yield, TheFluidGetsWhatTheSphereDoesNot)
   const auto less = times(r, GAIN);
   std::vector<Gain> gains(box.now.spheres.size());
   for (std::size_t k = 0; k < gains.size(); k++)
-    if (box.now.grain[k] == 0) gains[k] = GAIN;
+    if (box.now.grain[k] == 0) gains[k] = GAIN;    // the other, if it yields, goes as it went
 
   const Momentum before = momentum(box, list[0].centre);
   const Ledger booked_before = box.fluid->ledger();
@@ -143,6 +142,33 @@ TEST_P(Yield, TheFluidGetsWhatTheSphereDoesNot)
   for (int d = 0; d < 6; d++) swallowed += r.swallowed[d] * x[d];
   EXPECT_NEAR(booked.gain(Ledger::SWALLOWED) - booked_before.gain(Ledger::SWALLOWED), -swallowed,
               near);
+  return r;
+}
+
+TEST_P(Yield, TheFluidGetsWhatTheSphereDoesNot)
+{
+  check_what_the_fluid_gets(GetParam(), n, pair(GetParam(), 0.02));
+}
+
+// with as many links as without the neighbour, if all count alike
+TEST(Yield, InGapsOfDiscsToo)
+{
+  const Int3 n{22, 17, 1};
+  for (LinkRule rule : {LinkRule::HALFWAY, LinkRule::BOUZIDI, LinkRule::CLI, LinkRule::ZHAO}) {
+    const Case c{2, rule, true, false};
+    auto list = pair(c, 0.001);
+    for (bool yields : {false, true}) {
+      list[1].centre = {list[0].centre[0] + 3.4 + 3.9 + 1.2, list[0].centre[1], 0.5};
+      list[1].yields = yields;
+      scene::Box box(settings(c), n);
+      box.step(list);
+      EXPECT_GT(box.fluid->gaps(), 0.0);
+      const Response close = check_what_the_fluid_gets(c, n, list);
+      list[1].centre[0] += 2.0;
+      const Response apart = check_what_the_fluid_gets(c, n, list);
+      if (rule == LinkRule::HALFWAY) EXPECT_NEAR(close.zeta[0] / apart.zeta[0], 1.0, 1e-12);
+    }
+  }
 }
 
 // Links along the axes for all: in the mean over places of the sphere, and at each of them not less
