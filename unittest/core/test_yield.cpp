@@ -204,6 +204,52 @@ TEST_P(Yield, RespondsAThirdMoreThanAllLinks)
   EXPECT_NEAR(ours_of_spin / all_of_spin, mean, 0.12);
 }
 
+std::vector<double> populations(const scene::Box &box)
+{
+  const Part all{{0, 0, 0}, box.n};
+  std::vector<double> values(std::size_t(box.fluid->directions()) * all.nodes());
+  box.fluid->give(all, values.data());
+  return values;
+}
+
+// A fluid that goes on from the state of another finds the answers of a step it has not made, in
+// gaps and through the faces of the box too, in tiles and without.
+TEST(Yield, IsFoundAnewToTheBit)
+{
+  for (int dimension : {2, 3})
+    for (const Int3 &tile : {Int3{8, 5, 6}, Int3{22, 17, 15}}) {
+      const Case c{dimension, LinkRule::CLI, true, false};
+      Settings with = settings(c);
+      with.tile = tile;
+      const Int3 n{22, 17, dimension == 3 ? 15 : 1};
+      auto list = pair(c, 0.02);
+      list[1].centre = {list[0].centre[0] + 3.4 + 3.9 + 1.2, 15.9, list[0].centre[2]};
+      list.push_back(
+          scene::sphere(2, {list[0].centre[0], list[0].centre[1] + 7.9, list[0].centre[2]}, 3.1));
+      list[2].yields = true;
+      scene::Box box(with, n), other(with, n);
+      for (int t = 0; t < 3; t++) box.step(scene::drifted(list, t));
+      EXPECT_GT(box.fluid->gaps(), 0.0);
+
+      const Part all{{0, 0, 0}, n};
+      const auto state = populations(box);
+      other.fluid->take(all, state.data());
+      Counts counts;
+      counts.ledger = box.fluid->ledger();
+      counts.mean = box.fluid->mean_density();
+      other.fluid->resume(box.fluid->own_spheres(), counts);
+      for (scene::Box *b : {&box, &other}) {
+        std::vector<Gain> gains;
+        for (const Sphere &s : b->fluid->spheres())
+          gains.push_back({{1e-3 * double(s.id + 1), 2e-3, 0.0}, {0.0, 0.0, 1e-3}});
+        b->fluid->correct(gains);
+      }
+      EXPECT_NE(populations(box), state);
+      EXPECT_EQ(populations(other), populations(box));
+      EXPECT_EQ(other.fluid->ledger().numbers(), box.fluid->ledger().numbers());
+    }
+}
+
 TEST(Yield, NothingIsKeptOfSpheresThatDoNot)
 {
   const Case c{3, LinkRule::CLI, true, false};
