@@ -223,10 +223,9 @@ TEST(Yield, IsFoundAnewToTheBit)
       with.tile = tile;
       const Int3 n{22, 17, dimension == 3 ? 15 : 1};
       auto list = pair(c, 0.02);
-      list[1].centre = {list[0].centre[0] + 3.4 + 3.9 + 1.2, 15.9, list[0].centre[2]};
-      list.push_back(
-          scene::sphere(2, {list[0].centre[0], list[0].centre[1] + 7.9, list[0].centre[2]}, 3.1));
-      list[2].yields = true;
+      const Vec3 at = list[0].centre;    // its neighbours on either side yield not
+      list[1].centre = {at[0] + 3.4 + 3.9 + 1.2, at[1], at[2]};
+      list.push_back(scene::sphere(2, {at[0] - 3.4 - 2.2 - 1.2, at[1], at[2]}, 2.2));
       scene::Box box(with, n), other(with, n);
       for (int t = 0; t < 3; t++) box.step(scene::drifted(list, t));
       EXPECT_GT(box.fluid->gaps(), 0.0);
