@@ -29,12 +29,13 @@ def draw(speeds, top, peak, picture):
     memory = top * 304e-3    # GB/s
     ax.loglog(x, [min(memory * v, peak[0]) for v in x], "k-")
     ax.text(0.12, memory * 0.17, f"memory, in place: {memory:.0f} GB/s", rotation=32, rotation_mode="anchor")
-    ax.text(4, peak[0] * 1.1, f"{peak[0]:.0f} Gflop/s, double precision")
+    ax.text(19, peak[0] * 1.1, f"{peak[0]:.0f} Gflop/s, double precision", ha="right")
     for k, (row, (flops, moved)) in enumerate(intensities(*peak[1:]).items()):
         if row in speeds:
             label = f"{row.split(' /')[0]}: {speeds[row]:.0f} M nodes/s"
             ax.plot([flops / moved], [flops * speeds[row] * 1e-3], "osD^v<"[k], label=label)
-    ax.set(xlabel="operations a byte that has to move", ylabel="10$^9$ operations/s", xlim=(0.1, 20))
+    ax.set(xlabel="operations a byte that has to move", ylabel="10$^9$ operations/s", xlim=(0.1, 20),
+           ylim=(None, peak[0] * 1.6))
     ax.legend(loc="lower right")
     figure.tight_layout()
     figure.savefig(picture, dpi=120)

@@ -4,6 +4,7 @@
 #   full   default, twice finer, and the article's rules at its tau and at Ma < 0.1
 # Two runs at a time, one rank each: two discs need many small steps, and ranks would wait for them.
 set -euo pipefail
+rm -f ./{dkt2d,fine,coarse,paper,paper-slow}.dat ./*.grid
 run() {    # run NAME option...
   local name=$1; shift
   "$LMP" -in in.dkt2d -log "log.$name" -screen none -var out "$name" "$@" </dev/null ||

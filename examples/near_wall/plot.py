@@ -16,9 +16,9 @@ for r in sorted({run[3] for run in runs if not run[0] and run[2] == "cli"}):
         if len(curve):
             label = f"{'with films' if film else 'lattice alone'}" if r == 6 else None
             axes[0].plot(curve[:, 0], curve[:, 1], style, label=label)
-            axes[0].annotate(f"r = {r:g}", curve[-1])
+            axes[0].annotate(f"r = {r:g}", curve[-1], textcoords="offset points", xytext=(-6, -3), ha="right")
 axes[0].set(xscale="log", yscale="log", xlabel="gap (cells)", ylabel=r"resistance / 6$\pi\mu$rU",
-            title="towards the wall")
+            title="towards the wall", xlim=(0.016, None))
 gaps = np.geomspace(0.03, 0.8, 50)
 axes[1].plot(gaps, [slide(g / 6) for g in gaps], "k-", lw=1, label="Goldman, Cox & Brenner 1967, thin gaps")
 for film, style in ((True, "C0o"), (False, "C3s")):

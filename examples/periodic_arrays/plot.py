@@ -26,6 +26,8 @@ axes[0].legend(fontsize=8)
 
 take = main & (array == "sc")
 for of, name in ((take & (d < 8.1) & ((d > 7.3)), "7.4 to 8 cells per diameter"), (take & (d > 14.8) & (d < 16.1), "15 to 16")):
+    if not of.any():    # quick: coarse ones alone
+        continue
     order = np.argsort(phi[of])
     axes[1].errorbar(phi[of][order], error[of][order], 100 * spread[of][order], marker="o", ms=4, capsize=2, label=name)
 axes[1].axhline(0, color="0.6", lw=0.8)
@@ -46,7 +48,7 @@ for rule in np.unique(rules):
     axes[2].plot(tau[take][order], error[take][order], "o-", ms=4, label=rule)
 axes[2].axhline(0, color="0.6", lw=0.8)
 axes[2].set_xlabel(r"relaxation time $\tau$")
-axes[2].set_ylabel("error of K (%), fraction 1/8, 7.4 cells per diameter")
+axes[2].set_ylabel("error of K (%), fraction 1/8, d = 7.4 cells")
 axes[2].legend(fontsize=8)
 figure.tight_layout()
 figure.savefig("periodic_arrays.png", dpi=100)

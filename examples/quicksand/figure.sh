@@ -4,6 +4,7 @@
 # quick: the shipped bed on a fast ramp. full: ten beds of different compactness, two of 400 grains,
 # three ramp rates, and the lowest gradient that, held, triggers it.
 set -euo pipefail
+rm -f ./*-snapshot-*.png ./*.dat ./*.grid
 
 # water NAME OPTIONS...   run the example; what it says goes to NAME.txt
 water() {

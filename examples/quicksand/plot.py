@@ -75,14 +75,14 @@ def snapshots():
     run = names[-1].split("-snapshot-")[0]
     names = [name for name in names if name.startswith(run + "-snapshot-")]
     chosen = [names[round(k * (len(names) - 1) / 5)] for k in range(6)]
-    figure, axes = plt.subplots(1, 6, figsize=(13, 4.6))
+    figure, axes = plt.subplots(1, 6, figsize=(13, 5.0))
     for axis, name in zip(axes, chosen):
         axis.imshow(plt.imread(name))
         step = int(name.split("-")[-1].split(".")[0])
         axis.set_title(f"{1.2e-6 * step:.2f} s")
         axis.axis("off")
     figure.suptitle(f"{run}: grains by speed, blue 0, yellow 1, red 2 cm/s")
-    figure.tight_layout()
+    figure.tight_layout(rect=(0, 0, 1, 0.95))
     figure.savefig("snapshots.png", dpi=110)
 
 
@@ -99,7 +99,8 @@ def onset():
         axis.plot(x, y, mark, label=label)
         if kind == "rate":
             for row, a, b in zip(mine, x, y):
-                axis.annotate(row[0].split("-")[1], (a, b), textcoords="offset points", xytext=(6, 3))
+                axis.annotate(row[0].split("-")[1], (a, b), textcoords="offset points",
+                              xytext=(-6, -3), ha="right")
     axis.axhline(1.0, color="0.6", lw=0.8)
     axis.axhline(0.92, color="0.6", lw=0.8, ls=":", label="article, one bed of unnamed porosity")
     axis.set_xlabel("porosity of the bed in steady seepage")

@@ -5,6 +5,7 @@
 #          bed, and a hundredth less
 # Two runs at a time, one rank each: the sub-steps of 300 discs leave ranks little to share.
 set -euo pipefail
+rm -f ./*.dat ./*.profile ./*.grains
 run() {    # run NAME option...
   local name=$1; shift
   "$LMP" -in in.quicksand2d -log "log.$name" -screen none -var out "$name" "$@" </dev/null ||

@@ -3,6 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 size=${1:-quick}
+rm -f settling-*.dat
 run() { mpirun -np 2 "$LMP" -in in.settling_sphere -log "log.$2.$4" -var case "$2" -var cells "$4" > "screen.$2.$4"; }
 
 if [ "$size" = quick ]; then
