@@ -17,7 +17,7 @@ def intensities(flops_3d, flops_2d):
 
 
 def draw(speeds, top, peak, picture):
-    """speeds: M nodes/s by row; top: M nodes/s of the limit; peak: (10^9 operations/s, operations a node)"""
+    """speeds: M nodes/s by row, as they are at the limit top, in M nodes/s; peak: (10^9 operations/s, operations a node)"""
     try:
         import matplotlib
     except ImportError:
@@ -36,7 +36,7 @@ def draw(speeds, top, peak, picture):
             ax.plot([flops / moved], [flops * speeds[row] * 1e-3], "osD^v<"[k], label=label)
     ax.set(xlabel="operations a byte that has to move", ylabel="10$^9$ operations/s", xlim=(0.1, 20),
            ylim=(None, peak[0] * 1.6))
-    ax.legend(loc="lower right")
+    ax.legend(loc="lower right", title=f"where the limit is {top:.0f} M nodes/s")
     figure.tight_layout()
     figure.savefig(picture, dpi=120)
     return f"picture: {picture}"
