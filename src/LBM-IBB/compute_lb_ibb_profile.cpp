@@ -118,12 +118,17 @@ void ComputeLbIbbProfile::parse_keywords(int iarg, int narg, char **arg)
                  name);
     const double value = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (name == "gravity") {
+      if (!(std::fabs(value) <= 1e100))    // products of it have to be numbers
+        error->all(FLERR, iarg + 1, "Compute lb/ibb/profile: gravity = {}, limit 1e100 either way",
+                   value);
       gravity = value;
       has_gravity = true;
     } else {
       if (!(value > 0.0))
         error->all(FLERR, iarg + 1, "Compute lb/ibb/profile: critical = {} must be larger than 0",
                    value);
+      if (value < 1e-100)    // a gradient over it has to be a number
+        error->all(FLERR, iarg + 1, "Compute lb/ibb/profile: critical = {}, limit 1e-100", value);
       critical = value;
       has_critical = true;
     }

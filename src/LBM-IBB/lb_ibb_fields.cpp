@@ -12,6 +12,7 @@
 #include "lb_ibb_fields.h"
 
 #include "domain.h"
+#include "error.h"
 #include "grid2d.h"
 #include "grid3d.h"
 #include "memory.h"
@@ -35,6 +36,22 @@ template <class Grid> void bounds(Grid &grid, lbm::Int3 &lo, lbm::Int3 &hi)
     grid.get_bounds_owned(lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
   else
     grid.get_bounds_owned(lo[0], hi[0], lo[1], hi[1]);
+}
+
+// LAMMPS's grids count cells in 32 bits; what they do when there are more ends in a destructor that
+// reads what was never set. Collective.
+void check_size(LAMMPS *lmp, MPI_Comm world, const lbm::Int3 &n)
+{
+  const Domain *domain = lmp->domain;
+  double nodes = 1.0, most;    // of a rank, with its ghosts
+  for (int d = 0; d < domain->dimension; d++)
+    nodes *= n[d] * (domain->subhi[d] - domain->sublo[d]) / domain->prd[d] + 4.0;
+  MPI_Allreduce(&nodes, &most, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (most > MAXSMALLINT)
+    lmp->error->all(FLERR,
+                    "Fix lb/ibb: {:.3g} lattice nodes on one rank, limit 2^31: use more ranks or a "
+                    "larger dx",
+                    most);
 }
 
 std::unique_ptr<Grid3d> cut3(LAMMPS *lmp, MPI_Comm world, const lbm::Int3 &n)
@@ -94,6 +111,7 @@ struct LBFields::Field {
 LBFields::LBFields(LAMMPS *lmp, const lbm::Int3 &global_) : Pointers(lmp), global(global_)
 {
   lbm::Int3 hi{0, 0, 0};
+  check_size(lmp, world, global);
   if (domain->dimension == 2) {
     grid2 = cut2(lmp, world, global);
     bounds(*grid2, lo_, hi);

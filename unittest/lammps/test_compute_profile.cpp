@@ -189,6 +189,8 @@ TEST_F(Profile, Refusals)
   EXPECT_ERROR("compute q all lb/ibb/profile w z width 0", "width 0 must be larger than 0");
   EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 critical 0",
                "critical = 0 must be larger than 0");
+  EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 critical 1e-300", "limit 1e-100");
+  EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 gravity 1e308", "limit 1e100 either way");
   EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 gravity", "Illegal compute");
   EXPECT_ERROR("compute q all lb/ibb/profile w z layers 4 gravity 1 gravity 1",
                "gravity is given twice");

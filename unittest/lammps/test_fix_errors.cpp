@@ -130,6 +130,8 @@ TEST_F(Refusals, CellsOfTheBox)
             "box length 0.0008 along x is 2 cells of dx = 0.0004: at least 3 are needed, dx <= "
             "0.000266667");
   EXPECT_IN(refused_line("dx 1 nu 1e-6 rho 1000"), "at least 3 are needed");
+  EXPECT_IN(refused_line("dx 1e-7 nu 1e-6 rho 1000"),
+            "lattice nodes on one rank, limit 2^31: use more ranks or a larger dx");
   start();
   EXPECT_IN(error_of("units si\nfix w all lb/ibb dx 1 nu 1 rho 1"), "box");
 }
