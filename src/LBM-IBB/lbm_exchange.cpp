@@ -245,7 +245,8 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     __builtin_prefetch(slot.w + n, 1);
   };
   ReadAhead ahead(links, PACKS_AHEAD, slots_along, fetch);
-  ReadAhead gaps_ahead(links.gaps, 0, slots_along, fetch);    // these follow the links
+  // These follow the links: soon where a sphere moves, but behind those of a whole tile at rest
+  ReadAhead gaps_ahead(links.gaps, 0, slots_along, fetch);
   for (std::size_t g = 0; g < links.groups.size(); g++) {
     const LinkGroup &group = links.groups[g];
     const int i = group.direction;
@@ -256,7 +257,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
     const auto bounce_pack = [&](const int32_t *nodes, const double *q, auto &to,
                                  auto &reach) LBM_INLINE {
       ahead.next();
-      gaps_ahead.next();
+      if constexpr (motion != Motion::REST) gaps_ahead.next();
       bounce_back_pack<L, Rule, motion, ledger>(decode, slot, sphere, c, L::e[i], L::w[i], refund,
                                                 nodes, q, drho, to, reach);
     };
