@@ -234,7 +234,7 @@ void bounce_back(const Layout &at, const Slots<L> &f, const Cover &cover, const 
   constexpr int W = SIMD_WIDTH;
   const Decoder decode(at);
   Sums<Pack<W>, ledger> sums;
-  const auto slots_along = [&](int i) {
+  const auto slots_along = [&](int i) LBM_INLINE {
     return LinkSlots<L>(at, f, i);
   };
   const auto fetch = [drho](const LinkSlots<L> &slot, int32_t n) LBM_INLINE {

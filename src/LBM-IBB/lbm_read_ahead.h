@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// Walks through a list of links, Links or another with groups and nodes, some packs before they are used, and fetches what they will
-// need: their nodes are scattered over more than the caches next to a core hold.
+// Walks through a list of links, Links or another with groups and nodes, some packs before they
+// are used, and fetches what they will need: their nodes are scattered over more than the caches
+// next to a core hold.
 
 #ifndef LBM_READ_AHEAD_H
 #define LBM_READ_AHEAD_H
