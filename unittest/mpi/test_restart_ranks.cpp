@@ -85,6 +85,19 @@ class RestartRanks : public FluidRanks {
     }
   }
 
+  // from a file that was written in passing
+  void expect_same_from_passing(const Scene &s)
+  {
+    start(MPI_COMM_WORLD);
+    begin(s, "");
+    script("restart " + std::to_string(s.before) + " passing.*" + run(s.before + s.after));
+    const auto through = result();
+    start(MPI_COMM_WORLD);
+    go_on(s, "", "passing." + std::to_string(s.before));
+    script("restart " + std::to_string(s.before) + " passing.*" + run(s.after));
+    EXPECT_EQ(result(), through);
+  }
+
   // written by so many ranks, read by so many
   void expect_same_on(const Scene &s, const std::vector<std::array<int, 2>> &ranks)
   {
@@ -308,6 +321,28 @@ TEST_F(RestartRanks, LargeGrainInPrescribedMotion)
                     "accel 1e-3 0 0",
                     50,
                     50});
+}
+
+// Enclosed fluid whose density is kept, other nodes of it than when it was last found
+TEST_F(RestartRanks, EnclosedFluidThatMoves)
+{
+  const std::string motion = "\nfix m all move linear 2e-3 1.9e-3 ",
+                    options = "accel 1e-3 0 0 check 1000";
+  std::string ring, cage;
+  for (int k = 0; k < 8; k++)
+    ring += disc(k + 1, {12.1 + 6.2 * std::cos(k * PI_ / 4), 12.3 + 6.2 * std::sin(k * PI_ / 4), 0},
+                 4.0);
+  int id = 0;
+  for (int k = 0; k < 27; k++)
+    if (k != 13)
+      cage += grain(++id, {7.1 + 5.0 * (k % 3), 7.3 + 5.0 * (k / 3 % 3), 7.2 + 5.0 * (k / 9)}, 3.9);
+  for (const Scene &s : {Scene{{24, 24, 1}, "p p p", ring, motion + "0", options, 33, 48},
+                         Scene{{24, 22, 23}, "p p p", cage, motion + "-2e-3", options, 33, 48}}) {
+    compare_restarts(s);
+    expect_same_from_passing(s);
+    EXPECT_GE(out(29), 1.0);    // enclosed sets
+    EXPECT_GT(out(30), 5.0);    // nodes of them
+  }
 }
 
 // the cut may change before the fluid is there
