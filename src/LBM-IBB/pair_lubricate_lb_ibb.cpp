@@ -227,11 +227,6 @@ void PairLubricateLbIbb::setup()
   check_step();
 }
 
-void PairLubricateLbIbb::reset_dt()
-{
-  check_step();
-}
-
 // The film is integrated explicitly: it must not stop a grain faster than within a step
 void PairLubricateLbIbb::check_step()
 {

@@ -24,7 +24,8 @@ PairStyle(lubricate/lb/ibb,PairLubricateLbIbb);
 
 namespace LAMMPS_NS {
 
-// Films between grains, and between grains and walls of fix lb/ibb, that its lattice is too coarse for
+// Films between grains, and between grains and walls of fix lb/ibb, that its lattice is too coarse
+// for
 class PairLubricateLbIbb : public Pair {
  public:
   PairLubricateLbIbb(class LAMMPS *);
@@ -35,7 +36,6 @@ class PairLubricateLbIbb : public Pair {
   void init_style() override;
   double init_one(int, int) override;
   void setup() override;
-  void reset_dt() override;
   void write_restart(FILE *) override;
   void read_restart(FILE *) override;
   void write_restart_settings(FILE *) override;

@@ -124,6 +124,40 @@ TEST(Plan, NoMoreGranularStepsThanTheFixTakes)
   EXPECT_NE(a.notes[0].find("1.11e+03 times smaller"), std::string::npos) << a.notes[0];
 }
 
+// What is given may be out of reach of what is wished: .0144 of the lattice alone
+TEST(Plan, SaysWhatIsOutOfReach)
+{
+  Wish w = wish();
+  w.dx = 1e-4;
+  w.tau = 1.0;
+  w.error = 1e-3;
+  Advice a = advise(w, table());
+  ASSERT_EQ(a.notes.size(), 1u);
+  EXPECT_NE(a.notes[0].find("the error wished, 0.001, needs less dx or a shorter step than given"),
+            std::string::npos)
+      << a.notes[0];
+  w = wish();
+  w.dx = 1e-4;
+  w.tau = 1.0;    // dt = 1/600 s; contacts of 1 us would need 1667 steps, 278 times softer ones 100
+  w.contact = 1e-6;
+  a = advise(w, table());
+  EXPECT_EQ(a.every, 1667);
+  ASSERT_EQ(a.notes.size(), 1u);
+  EXPECT_NE(a.notes[0].find("a contact stiffness 278 times smaller would need 100"),
+            std::string::npos)
+      << a.notes[0];
+  w.contact = 1e-13;
+  EXPECT_NE(advise(w, table()).refusal.find("contacts allow a granular step of 1e-13"),
+            std::string::npos)
+      << advise(w, table()).refusal;
+  w = wish();
+  w.dx = 1e-9;
+  w.box = {1.0, 1.0, 1.0};
+  EXPECT_NE(advise(w, table()).refusal.find("would be 1e+09 cells along x: too many"),
+            std::string::npos)
+      << advise(w, table()).refusal;
+}
+
 // ten times as fast: Ma <= .1 gives u dt/dx = .1/sqrt(3), its share of the error
 // .0144/4 = (u dt/dx)^2 gives .06, more; so the Mach number binds. At 8 cells per radius the share
 // is .00140625, and binds

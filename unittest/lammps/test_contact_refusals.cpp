@@ -20,6 +20,8 @@
 
 #include "contact_scenes.h"
 
+#include "update.h"
+
 #include <fstream>
 
 /* ---- the time step ---- */
@@ -72,6 +74,23 @@ TEST_F(TimeStep, WallRefusesBeyondATenthAndWarnsBeyondAFiftieth)
   start();
   EXPECT_EQ(error_of(scene(tc / 50.0, floor) + "\nrun 0 post no"), "");
   EXPECT_EQ(warnings(), 0);
+}
+
+// fix dt/reset lets slow grains take long steps
+TEST_F(TimeStep, LongerOneDuringARunIsNoticed)
+{
+  for (const bool of_floor : {false, true}) {
+    start();
+    const double tc = contact_time({KN, 0.8, 0.45}, (of_floor ? 1.0 : 0.5) * sphere_mass(r));
+    const std::string text = scene(tc / 50.0, of_floor ? floor : pair(0.8, 0.45)) +
+        "\nset group all vx 1e-6\nfix longer all dt/reset 5 NULL ";
+    EXPECT_EQ(error_of(text + num(0.99 * tc / 10.0) + " 1e-4\nrun 10 post no"), "");
+    EXPECT_DOUBLE_EQ(lmp->update->dt, 0.99 * tc / 10.0);
+    start();
+    EXPECT_ERROR(text + num(1.01 * tc / 10.0) + " 1e-4\nrun 10",
+                 of_floor ? "is more than a tenth of the shortest contact of fix wall"
+                          : "is more than a tenth of the shortest contact of pair_style");
+  }
 }
 
 TEST_F(TimeStep, StiffestPairOfTypesThatCanMeetCounts)

@@ -111,6 +111,17 @@ TEST_F(Refusals, Faces)
             "faces xlo and xhi contradict each other: the fluid moves with 0.001 through one and "
             "0.002 through the other: make them equal, or one a pressure face");
   EXPECT_IN(refusal("face xlo velocity 1e-3 0 0 face xhi wall", "f p p"), "contradict each other");
+  EXPECT_IN(refusal("face zlo velocity 0 0 1e-3 parabolic face zhi pressure 0", "p p f"),
+            "face zlo is parabolic and lies between no two walls");
+  EXPECT_IN(refusal("face xlo wall face xhi wall face zlo velocity 0 0 1e-3 parabolic face zhi "
+                    "velocity 0 0 1e-3",
+                    "f p f"),
+            "of faces zlo and zhi one is parabolic and lets less through than the other: make both "
+            "parabolic, or one a pressure face");
+  EXPECT_EQ(refusal("face xlo wall face xhi wall face zlo velocity 0 0 1e-3 parabolic face zhi "
+                    "velocity 0 0 1e-3 parabolic",
+                    "f p f"),
+            "");
   EXPECT_IN(refusal("face zlo wall face zhi wall", "p p p", {8, 8, 1}),
             "zlo has no meaning with dimension 2: remove it");
   EXPECT_IN(refusal("face xlo wall 0 1e-3 1e-3 face xhi wall", "f p p", {8, 8, 1}),

@@ -14,6 +14,9 @@
 
 #include "fluid_scenes.h"
 
+#include "force.h"
+#include "pair.h"
+
 namespace {
 
 // resistance of a sphere that approaches a plane, over that far from it: Brenner, Chem. Eng. Sci.
@@ -110,6 +113,36 @@ TEST_F(Lubrication, PairsGetOppositeForces)
   EXPECT_EQ(f(2)[0], 0.0);
 }
 
+// as computes ask for it: force over distance
+TEST_F(Lubrication, ForceOfAPairAlone)
+{
+  script(box({16, 12, 12}) + grain(1, {4.5, 6, 6}, 3, {1e-3, 2e-3, 0}) +
+         grain(2, {10.5, 6.9, 6.5}, 3) + "\nset group all density 1e9" +
+         pair_style("1e-7 shear 0") + "\nfix m all nve/sphere" + fluid("every 1") + run(0));
+  double del[3], rsq = 0.0, fforce = 0.0;
+  for (int d = 0; d < 3; d++) {
+    del[d] = x(1)[d] - x(2)[d];
+    rsq += del[d] * del[d];
+  }
+  lmp->force->pair->single(index(1), index(2), 1, 1, rsq, 1.0, 1.0, fforce);
+  EXPECT_GT(fforce, 0.0);    // they approach
+  for (int d = 0; d < 3; d++)
+    EXPECT_NEAR(f(1)[d], fforce * del[d], 1e-9 * std::fabs(fforce * del[0]));
+  lmp->force->pair->single(index(1), index(2), 1, 1, 2.0 * rsq, 1.0, 1.0, fforce);
+  EXPECT_EQ(fforce, 0.0);
+}
+
+TEST_F(Lubrication, WallsMayBeLeftOut)
+{
+  for (const bool walls : {true, false}) {
+    start();
+    script(box({12, 12, 12}, "p p f") + grain(1, {6, 6, 3.1}, 3, {0, 0, -1e-3}) +
+           "\nset group all density 1e9" + pair_style(walls ? "1e-7" : "1e-7 walls no") +
+           "\nfix m all nve/sphere" + fluid("face zlo wall face zhi wall") + run(0));
+    EXPECT_EQ(f(1)[2] > 0.0, walls);
+  }
+}
+
 TEST_F(Lubrication, Refusals)
 {
   const std::string one = box({12, 12, 12}, "p p f") + grain(1, {6, 6, 6}, 3);
@@ -125,10 +158,17 @@ TEST_F(Lubrication, Refusals)
   with("1e-6 normal -1", "cut-off normal -1 is not between 0 and 3 cells");
   with("1e-6 cells 1", "unknown keyword cells, known are normal, shear and walls");
   with("1e-4", "is not below the cut-offs");
+  with("1e-6\npair_coeff * * 5", "pair_coeff takes two types and nothing else");
+  with("1e-6\npair_coeff 2* 1", "no pair of types in 2* 1 with the first not above the second");
+  with("1e-6\ncomm_modify vel no", "requires the velocities of ghost atoms");
   with("1e-9", "less than the timestep of 0.001, which would be unstable: use a timestep <=");
   start();
   EXPECT_ERROR(one + pair_style("1e-6") + "\nfix m all nve/sphere" + run(1),
                "there is no fix lb/ibb, from which it takes viscosity and spacing");
+  start();
+  EXPECT_ERROR(one + "\npair_style lubricate/lb/ibb 1e-6\npair_coeff 1 1\npair_coeff 2 2" + water +
+                   run(1),
+               "no pair_coeff for types 1 and 2: add pair_coeff 1 2");
   start();
   EXPECT_ERROR(box({12, 12, 1}) + disc(1, {6, 6}, 3) + pair_style("1e-6") + fluid() + run(1),
                "cannot be used in 2d");

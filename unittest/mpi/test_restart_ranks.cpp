@@ -272,12 +272,28 @@ TEST_F(RestartRanks, Discs)
                     990});
 }
 
+// between grains and at walls, one of which moves; read from the file of LAMMPS alone
+TEST_F(RestartRanks, Films)
+{
+  compare_restarts({{18, 12, 12},
+                    "p p f",
+                    grain(1, {5.1, 6.2, 3.2}, 3.0, {4e-3, 0, -1e-3}) +
+                        grain(2, {11.25, 6.0, 3.3}, 3.1, {-4e-3, 1e-3, 0}) + "\ntimestep " +
+                        num(DT / 20) + "\npair_style lubricate/lb/ibb 1e-6 normal 0.7 shear 0.6" +
+                        "\npair_coeff * *",
+                    "\nfix m all nve/sphere",
+                    "every 20 buoyancy 0 0 -1 face zlo wall 1e-3 0 0 face zhi wall",
+                    610,
+                    990});
+}
+
 // with what an obstacle swallowed and got, kept links or not
 TEST_F(RestartRanks, Obstacles)
 {
   const std::string regions = "\nregion ball sphere " + at({9.1, 8.2, 5.4}) + " " + num(3.7 * DX) +
       "\nregion floor block INF INF INF INF INF " + num(1.3 * DX);
-  const std::string drive = "accel 1e-3 0 0 face zlo wall face zhi wall obstacle floor obstacle ball";
+  const std::string drive =
+      "accel 1e-3 0 0 face zlo wall face zhi wall obstacle floor obstacle ball";
   compare_restarts({{16, 14, 19}, "p p f", "", regions, drive, 21, 30});
   compare_restarts({{16, 14, 19},
                     "p p f",
