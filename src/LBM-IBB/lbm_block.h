@@ -35,6 +35,12 @@ using Vec3 = std::array<double, 3>;
 struct Region {
   Int3 lo{}, hi{};
   bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
+  bool apart(const Region &r) const
+  {
+    for (int d = 0; d < 3; d++)
+      if (lo[d] > r.hi[d] || r.lo[d] > hi[d]) return true;
+    return false;
+  }
 };
 
 // Where nodes lie in memory; shared by populations and by maps of the same box

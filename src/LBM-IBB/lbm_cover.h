@@ -61,6 +61,7 @@ class Cover {
   // centre of sphere s in the coordinates of the block, where node (0, 0, 0) is the origin
   const Vec3 &centre(std::size_t s) const { return centres_[s]; }
   bool is_obstacle(std::size_t s) const { return s >= first_obstacle_; }
+  std::size_t first_obstacle() const { return first_obstacle_; }    // the number of spheres
   const Obstacles &obstacles() const { return *obstacles_; }
   int obstacle(std::size_t s) const { return int(s - first_obstacle_); }
   bool has_open_faces() const { return open_; }

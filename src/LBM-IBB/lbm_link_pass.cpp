@@ -36,6 +36,10 @@ void LinkPass<L>::start(const Cover &cover, bool moved, Motion motion, const flo
   yields_.answers.clear();
   yields_.in_gaps.assign(any_yields_ ? spheres.size() : 0, {});
   if (moved_) kept_ = false;
+  if (moved_ && cover.first_obstacle() < spheres.size())
+    renumber_still();
+  else
+    still_ = {};
   if (kept_) return;
   lists_.resize(moved_ ? 1 : tiles_.count() + 1);
   for (Links &list : lists_) {
@@ -66,20 +70,76 @@ template <class L> void LinkPass<L>::find_near()
     });
 }
 
+// obstacles are the last in the list of spheres
+template <class L> void LinkPass<L>::renumber_still()
+{
+  const std::size_t first = cover_->first_obstacle();
+  const auto shift = int32_t(first) - int32_t(first_obstacle_);
+  first_obstacle_ = first;
+  still_.resize(tiles_.count() + tiles_.shell().size());
+  if (shift == 0) return;
+  for (Still &still : still_) {
+    Gaps &gaps = still.links.gaps;
+    for (LinkGroup &group : still.links.groups) group.sphere += shift;
+    for (LinkGroup &group : gaps.groups) group.sphere += shift;
+    for (int32_t &s : gaps.behind) s += shift;
+  }
+}
+
+template <class L> bool LinkPass<L>::obstacles_alone(const Region &region) const
+{
+  for (std::size_t s = 0; s < first_obstacle_; s++)
+    if (!nodes_with_links(*cover_, s).apart(region)) return false;
+  return true;
+}
+
+// of obstacles that no sphere is near to
+template <class L>
+void LinkPass<L>::bounce_still(std::size_t part, const Region &region, const Slots<L> &f)
+{
+  auto &[found, links] = still_[part];
+  if (!found) {
+    for (std::size_t s = first_obstacle_; s < cover_->spheres().size(); s++)
+      find_links<L>(at_, *cover_, s, region, links);
+    links.trim();
+    found = true;
+  }
+  links_ += links.size + 2 * links.gaps.size;
+  gaps_ += links.gaps.size;
+  auto &pockets = lists_[0].pockets;
+  pockets.insert(pockets.end(), links.pockets.begin(), links.pockets.end());
+  bounce(links, any_yields_ && links.gaps.size > 0, f);
+}
+
 template <class L> void LinkPass<L>::inner(std::size_t k, const Slots<L> &f)
 {
   if (!tiles_.cut()) return;
-  if (!kept_)
-    for (std::size_t n = first_near_[k]; n < first_near_[k + 1]; n++)
-      find(near_[n], tiles_.behind(k), k, f);
+  if (!kept_) {
+    const std::size_t first = first_near_[k], end = first_near_[k + 1];    // obstacles last
+    if (!still_.empty() && first < end && cover_->is_obstacle(near_[first]))
+      bounce_still(k, tiles_.behind(k), f);
+    else
+      for (std::size_t n = first; n < end; n++) find(near_[n], tiles_.behind(k), k, f);
+  }
   if (!moved_) bounce_kept(k, f);
+}
+
+template <class L> void LinkPass<L>::find_outermost(const Slots<L> &f)
+{
+  const std::size_t all = cover_->spheres().size(), moving = still_.empty() ? all : first_obstacle_;
+  const auto &shell = tiles_.shell();
+  for (std::size_t s = 0; s < moving; s++)
+    for (const Region &region : shell) find(s, region, tiles_.count(), f);
+  for (std::size_t r = 0; moving < all && r < shell.size(); r++)
+    if (obstacles_alone(shell[r]))
+      bounce_still(tiles_.count() + r, shell[r], f);
+    else
+      for (std::size_t s = moving; s < all; s++) find(s, shell[r], tiles_.count(), f);
 }
 
 template <class L> void LinkPass<L>::outermost(const Slots<L> &f)
 {
-  if (!kept_)
-    for (std::size_t s = 0; s < cover_->spheres().size(); s++)
-      for (const Region &region : tiles_.shell()) find(s, region, tiles_.count(), f);
+  if (!kept_) find_outermost(f);
   if (!moved_) {
     bounce_kept(tiles_.count(), f);
     kept_ = true;
@@ -215,6 +275,7 @@ template <class L> double LinkPass<L>::bytes() const
 {
   double sum = yields_.answers.bytes();
   for (const Links &list : lists_) sum += list.bytes();
+  for (const Still &still : still_) sum += still.links.bytes();
   return sum + double((first_near_.capacity() + near_.capacity()) * sizeof(uint32_t));
 }
 

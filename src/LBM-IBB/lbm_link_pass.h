@@ -8,7 +8,7 @@
 // out of it (Zen 5, links of spheres that stay). Lattice units; places are those of the block.
 //
 // Links of spheres that move are found and used one sphere at a time; those of spheres that stay
-// are found once and kept.
+// are found once and kept, and so are those of obstacles in tiles that no sphere reaches.
 
 #ifndef LBM_LINK_PASS_H
 #define LBM_LINK_PASS_H
@@ -70,7 +70,19 @@ template <class L> class LinkPass {
   std::vector<uint32_t> first_near_, near_;
   std::size_t links_ = 0, gaps_ = 0;
 
+  // Links of obstacles while spheres move elsewhere: by tile, the regions of the shell last
+  struct Still {
+    bool found = false;
+    Links links;
+  };
+  std::vector<Still> still_;
+  std::size_t first_obstacle_ = 0;    // as they are numbered in still_
+
   void find_near();
+  void renumber_still();
+  bool obstacles_alone(const Region &region) const;
+  void bounce_still(std::size_t part, const Region &region, const Slots<L> &f);
+  void find_outermost(const Slots<L> &f);
   void find(std::size_t s, const Region &region, std::size_t k, const Slots<L> &f);
   void bounce_kept(std::size_t k, const Slots<L> &f);
   void bounce(const Links &links, bool yields, const Slots<L> &f);

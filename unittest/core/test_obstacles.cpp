@@ -247,6 +247,63 @@ TEST(Obstacles, NodesStayTheirs)
   EXPECT_LT(box.fluid->survey().speed.value, 0.2);
 }
 
+// Links of obstacles are kept where no grain is near. With grains that pass, rest, come, go and cross
+// the box the fluid is that of a block that is not cut, where all links are found in every step.
+TEST(Obstacles, KeptLinksAreThoseFoundAnew)
+{
+  for (int dimension : {2, 3})
+    for (bool yields : {false, true}) {
+      Settings s;
+      s.dimension = dimension;
+      s.tau = 0.7;
+      const bool flat = dimension == 2;
+      const Int3 n{40, 19, flat ? 1 : 16};
+      const auto in_box = [&](double x, double y, double z) {
+        return Vec3{x, y, flat ? 0.5 : z};
+      };
+      // two that nearly touch, one of them with a node of fluid in it, and one at the ends of the box
+      Shape hollow = ball(in_box(27.6, 9.4, 8.4), 2.9, dimension);
+      hollow.inside = [outer = hollow.inside,
+                       hole = ball(in_box(27.5, 9.5, 8.5), 0.4, dimension)](const Vec3 &x) {
+        return outer(x) && !hole.inside(x);
+      };
+      const std::vector<Shape> shapes{ball(in_box(20.3, 9.1, 8.2), 4.1, dimension), hollow,
+                                      half_space({1, 0, 0}, 1.7)};
+      s.tile = n;
+      scene::Box whole(s, n, {1e-5, 0.0, 0.0});
+      s.tile = {6, 5, 4};
+      scene::Box cut(s, n, {1e-5, 0.0, 0.0});
+      for (scene::Box *box : {&whole, &cut}) {
+        box->fluid->set_obstacles(shapes);
+        start_with_flow(*box);
+      }
+      std::vector<Sphere> grains{
+          scene::sphere(1, in_box(7.3, 8.2, 7.7), 2.7, {0.06, 0.01, flat ? 0.0 : 0.02}),
+          scene::sphere(2, in_box(33.1, 3.4, 3.2), 2.2, {0.02, -0.05, 0.0})};
+      grains[0].yields = yields;
+      for (int t = 0; t < 260; t++) {
+        auto list = scene::drifted(grains, t < 60 ? t : std::max(60, t - 10));
+        if (t % 50 < 20) list.insert(list.begin(), scene::sphere(3, in_box(12.2, 14.1, 3.3), 2.3));
+        whole.step(list);
+        cut.step(list);
+        ASSERT_EQ(whole.fluid->links(), cut.fluid->links()) << t;
+        ASSERT_EQ(whole.fluid->gaps(), cut.fluid->gaps()) << t;
+        if (t % 10) continue;
+        for (int k = 0; k < 3; k++) {
+          const Load &a = whole.fluid->obstacles()[k].last, &b = cut.fluid->obstacles()[k].last;
+          ASSERT_LT(norm_of(a.force, b.force), 1e-13) << k << " " << t;
+          ASSERT_LT(norm_of(a.torque, b.torque), 1e-12) << k << " " << t;
+        }
+        whole.for_each_fluid_node([&](int x, int y, int z) {
+          const Moments a = whole.at(x, y, z), b = cut.at(x, y, z);
+          ASSERT_NEAR(a.drho, b.drho, 1e-13) << x << " " << y << " " << z << ", " << t;
+          ASSERT_LT(norm_of(a.u, b.u), 1e-13) << x << " " << y << " " << z << ", " << t;
+        });
+      }
+      EXPECT_GT(cut.fluid->gaps(), 0.0);
+    }
+}
+
 // Where the fluid goes on from a state of another, it goes on as the other would have
 TEST(Obstacles, GoOnFromAState)
 {
